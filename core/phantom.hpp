@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/centerline.hpp"
+#include "core/triangle_mesh.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace braidzone {
+
+/// One piece of a parent vessel: an arc of a circle, or a straight piece if the angle is 0.
+struct PhantomSegment {
+    double length = 0.0;      ///< along the axis [m]; > 0
+    double angle = 0.0;       ///< by which the axis turns [rad]
+    double plane_angle = 0.0; ///< by which the plane of the turn is rotated about the axis [rad]
+};
+
+/// A sac: a sphere or ellipsoid that meets the parent vessel in a neck.
+struct PhantomSac {
+    double position = 0.0;    ///< arc length of the neck's centre [m]; ignored at a bifurcation
+    double direction = 0.0;   ///< about the axis, from the frame's normal [rad]
+    double diameter = 0.0;    ///< across, parallel to the parent vessel [m]
+    double height = 0.0;      ///< along the outward direction [m]; equal to `diameter` for a sphere
+    double neck = 0.0;        ///< diameter of the neck [m]; < diameter
+};
+
+/// A side branch: a straight tube that leaves the parent vessel.
+struct PhantomBranch {
+    double position = 0.0;   ///< arc length of its origin on the parent's axis [m]
+    double direction = 0.0;  ///< about the axis, from the frame's normal [rad]
+    double tilt = 1.0471975511965976;  ///< between the branch and the downstream axis [rad]
+    double radius = 0.0;     ///< [m]
+    double length = 0.0;     ///< from the parent's axis [m]
+};
+
+/// A terminal bifurcation: two straight daughters at the distal end of the parent vessel.
+struct PhantomBifurcation {
+    double radius = 0.0;      ///< of the daughters [m]
+    double length = 0.0;      ///< [m]
+    double half_angle = 0.7853981633974483;  ///< between a daughter and the parent's axis [rad]
+};
+
+/// Parameters of an idealised vessel.
+struct Phantom {
+    std::vector<PhantomSegment> segments;  ///< the parent vessel, proximal end first
+    double proximal_radius = 2e-3;         ///< [m]
+    double distal_radius = 2e-3;           ///< [m]; linear taper between the two
+    std::vector<PhantomSac> sacs;
+    std::vector<PhantomBranch> branches;
+    std::optional<PhantomBifurcation> bifurcation;
+    double blend_radius = 0.3e-3;  ///< of the fillet where parts meet [m]
+    double edge_length = 0.4e-3;   ///< target edge of the triangles [m]
+};
+
+/// An idealised vessel: its wall, open at the ends, and its exact centerline with radii.
+struct PhantomVessel {
+    TriangleMesh wall;    ///< [m], normals out of the lumen
+    Polyline centerline;  ///< of the parent vessel (through the first daughter at a bifurcation)
+};
+
+/// Makes an idealised vessel: the zero level of a smooth union of tubes and ellipsoids, meshed with
+/// nearly equilateral triangles whose points lie on that level, cut square at the ends.
+///
+/// @throws ConfigError if a parameter is out of range (a neck wider than its sac, a bend tighter
+///         than the radius, a part that does not touch the parent vessel)
+PhantomVessel make_phantom(const Phantom& phantom);
+
+}  // namespace braidzone

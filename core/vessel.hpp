@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/length_unit.hpp"
+#include "core/triangle_mesh.hpp"
+
+#include <string>
+#include <vector>
+
+namespace braidzone {
+
+/// An open end of the vessel.
+struct Opening {
+    Vec3 centre = Vec3::Zero();  ///< area centroid of the rim's fan [m]
+    Vec3 normal = Vec3::UnitX(); ///< unit, out of the lumen
+    double area = 0.0;           ///< [m^2]
+    double radius = 0.0;         ///< sqrt(area / pi) [m]
+    std::vector<int> rim;        ///< points of the wall around the opening, in order
+};
+
+/// A vessel: its wall, open at the ends, normals out of the lumen.
+struct Vessel {
+    TriangleMesh wall;              ///< [m]
+    std::vector<Opening> openings;  ///< largest area first
+    LengthUnit unit;                ///< that of the file, for output that overlays it
+    std::vector<std::string> notes; ///< what was repaired or opened on request
+};
+
+struct VesselOptions {
+    bool repair = false;        ///< repair defects instead of refusing them
+    double cap_angle_deg = 5.0; ///< a cap is a flat part: its normals differ by less than this
+};
+
+/// The vessel of a surface: sound, opened at flat caps, with its openings measured.
+///
+/// An open surface has its rims as openings. A closed surface is opened at its caps: connected,
+/// flat regions that meet the wall at an edge sharper than 45 degrees and whose area is that of a
+/// cross-section; rims smaller than a quarter of the largest opening's radius count as holes and
+/// are refused.
+///
+/// @param surface  as `read_surface` returns it [m]
+/// @param unit     the unit of the file
+/// @throws GeometryError if the surface is defective (with the list, unless `repair`), inverted,
+///         closed without flat caps, has fewer than two openings, or is no blood vessel by its
+///         size: the largest opening's diameter must lie in 0.5 to 30 mm, which catches a surface
+///         whose unit was stated wrongly
+Vessel make_vessel(const TriangleMesh& surface, const LengthUnit& unit,
+                   const VesselOptions& options = {});
+
+/// The closed surface of the lumen: the wall with each opening closed by a fan.
+struct ClosedLumen {
+    TriangleMesh mesh;            ///< the wall's triangles first, then the caps'
+    std::vector<int> opening_of;  ///< for each triangle, -1 on the wall or the opening's index
+};
+
+ClosedLumen close_openings(const Vessel& vessel);
+
+}  // namespace braidzone

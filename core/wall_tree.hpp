@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/triangle_mesh.hpp"
+#include "core/vessel.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace braidzone {
+
+/// Where a segment first meets the wall.
+struct WallHit {
+    int triangle = -1;        ///< of the vessel's wall
+    double fraction = 0.0;    ///< along the segment, 0 at its start, 1 at its end
+    Vec3 point = Vec3::Zero();
+    Vec3 normal = Vec3::UnitX();  ///< unit normal of the triangle, out of the lumen
+};
+
+/// The nearest point of the wall.
+struct WallPoint {
+    int triangle = -1;
+    Vec3 point = Vec3::Zero();
+    Vec3 normal = Vec3::UnitX();  ///< unit normal of the triangle, out of the lumen
+    double distance = 0.0;        ///< [m], not negative
+};
+
+/// Geometric queries on a vessel's wall through a tree of axis-aligned boxes (van den Bergen 1997;
+/// CGAL's AABB tree). Cost is logarithmic in the triangles. Queries may run in several threads.
+class WallTree {
+public:
+    explicit WallTree(const Vessel& vessel);
+    ~WallTree();
+    WallTree(WallTree&&) noexcept;
+    WallTree& operator=(WallTree&&) noexcept;
+
+    /// First intersection of the segment with the wall; none if it does not meet it. A segment
+    /// within a triangle's plane does not count as meeting that triangle.
+    std::optional<WallHit> first_hit(const Vec3& from, const Vec3& to) const;
+
+    /// Nearest point of the wall (the openings' caps do not count).
+    WallPoint nearest(const Vec3& point) const;
+
+    /// True inside the lumen: wall and flat caps over the openings. By the parity of a ray's
+    /// crossings; a ray that grazes an edge is replaced by another one.
+    bool contains(const Vec3& point) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace braidzone

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "deploy/flow_diverter.hpp"
+
+#include <array>
+
+namespace braidzone {
+
+/// The force-free lattice of a braid: its nodes are the real crossings of the wires.
+///
+/// Rings of n = wires / 2 nodes follow each other at spacing dL0, each staggered by half a node
+/// spacing against the one before. Ring 0 is the distal end. Node (ring k, column j) has index
+/// k n + j and stands at the angle (j + k/2) 2 pi / n. Its arms go to (k+1, j), along a wire of the
+/// right-handed family, and to (k+1, j-1), along one of the left-handed family:
+///
+///     dR0 = pi R0 / n,   dL0 = t dR0,   l0 = sqrt(dL0^2 + dR0^2)
+///
+/// dR0 is an arc length, so that an arm is exactly a piece of the helical wire (Zavodszky et al.
+/// 2020, Figure 1 and Table 1; staggered so that the lattice is one connected piece).
+struct BraidLattice {
+    int nodes_per_ring = 0;       ///< n
+    int num_rings = 0;            ///< N
+    double nominal_radius = 0.0;  ///< R0 [m]
+    double ring_spacing = 0.0;    ///< dL0 [m]
+    double arm_width = 0.0;       ///< dR0, arc between the ends of an arm [m]
+    double arm_length = 0.0;      ///< l0 [m]
+
+    int num_nodes() const { return nodes_per_ring * num_rings; }
+    int num_rhombi() const { return nodes_per_ring * (num_rings - 2); }
+    /// Index of node (ring, column); the column counts round, so -1 and n are allowed.
+    int node(int ring, int column) const
+    {
+        const int n = nodes_per_ring;
+        return ring * n + (column % n + n) % n;
+    }
+    /// Angle of node (ring, column) in the force-free device [rad].
+    double angle(int ring, int column) const;
+    /// Area of the device's surface that one node stands for, force-free [m^2]: dL0 2 dR0.
+    double node_area() const { return 2.0 * ring_spacing * arm_width; }
+};
+
+/// The lattice of a device: N - 1 = round(L0 / dL0) gaps, at least 2.
+BraidLattice make_lattice(const FlowDiverter& device);
+
+/// Corners of rhombus (ring k, column j), anticlockwise seen from outside: (k, j), (k+1, j-1),
+/// (k+2, j-1), (k+1, j). Corners 0-1 and 3-2 lie along left-handed wires, 0-3 and 1-2 along
+/// right-handed ones. k = 0 ... N-3.
+std::array<int, 4> rhombus_corners(const BraidLattice& lattice, int ring, int column);
+
+}  // namespace braidzone

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/centerline.hpp"
+#include "core/vessel.hpp"
+#include "core/wall_tree.hpp"
+#include "deploy/braid_lattice.hpp"
+#include "deploy/flow_diverter.hpp"
+#include "deploy/release_schedule.hpp"
+
+#include <vector>
+
+namespace braidzone {
+
+/// A device as it lies in the vessel. Node arrays have one entry a node of the lattice.
+struct Deployment {
+    BraidLattice lattice;
+    std::vector<Vec3> nodes;               ///< |N| x 3 [m]
+    std::vector<char> in_contact;          ///< 1 where the node is held by the wall
+    std::vector<double> wall_distance;     ///< to the wall [m], not negative
+    std::vector<double> contact_force;     ///< with which the node presses on the wall [N]
+    std::vector<double> contact_pressure;  ///< contact force over the node's deployed area [Pa]
+    std::vector<CrossSection> rings;       ///< plane of each ring; tangent points downstream
+    std::vector<double> ring_arc_length;   ///< of each ring on the centerline [m]
+    double max_force_residual = 0.0;       ///< largest force on a node that is free to move [N]
+    double force_tolerance = 0.0;          ///< the criterion that it is compared with [N]
+    bool converged = false;
+    int steps = 0;
+};
+
+struct DeployOptions {
+    /// Time step over the stability limit 2 / omega_max of the stiffest lattice mode.
+    double time_step_ratio = 0.5;
+    /// Damping k [kg/s] for unit mass 1 kg (Zavodszky et al. 2020, below equation 2).
+    double damping = 0.03;
+    /// Steps between the release of one ring and the next.
+    int release_interval = 20;
+    /// Convergence: largest force on a free node, over c_radial (of a node) R0.
+    double residual_tolerance = 1e-4;
+    /// Steps after the last release before giving up.
+    int max_settling_steps = 50000;
+};
+
+/// Deploys a flow diverter in a vessel (Zavodszky et al. 2020, section 2).
+///
+/// The lattice is crimped to the catheter's radius along the centerline and released ring by ring
+/// from the distal end. Released nodes move in the plane of their ring under the lattice's springs
+/// (`spring_forces.hpp`) by damped Verlet steps (`equation_of_motion.hpp`) and stop where they meet
+/// the wall (`wall_contact.hpp`). It ends when no free node bears a force above the tolerance;
+/// otherwise `converged` is false.
+///
+/// @param landing_distal  arc length of the distal end on the centerline [m]
+/// @throws GeometryError if the device does not lie within the centerline, the catheter does not
+///         fit into the lumen, or the device is too small or too large for the vessel
+Deployment deploy(const FlowDiverter& device, const Centerline& centerline, const WallTree& wall,
+                  double landing_distal, const ReleaseSchedule& schedule,
+                  const DeployOptions& options = {});
+
+}  // namespace braidzone
