@@ -10,13 +10,13 @@ namespace braidzone {
 /// least one node that is free of the wall by more than `neck_gap` and their free nodes; those
 /// figures are absent if there are none.
 struct DeploymentMeasures {
-    double implanted_length = 0.0;      ///< between the end rings, along the centerline [m]
-    double resting_length = 0.0;        ///< force-free at nominal diameter [m]
-    double foreshortening = 0.0;        ///< 1 - implanted / length in the catheter [-]
-    double mean_radial_expansion = 0.0; ///< distance to the ring's centre of mass [m]
+    double implanted_length = 0.0;       ///< between the end rings, along the centerline [m]
+    double resting_length = 0.0;         ///< force-free at nominal diameter [m]
+    double foreshortening = 0.0;         ///< 1 - implanted / length in the catheter [-]
+    double mean_radial_expansion = 0.0;  ///< distance to the ring's centre of mass [m]
     std::optional<double> mean_radial_expansion_neck;  ///< [m]
-    double mean_contact_pressure = 0.0; ///< all contact force over the area in contact [Pa]
-    double max_contact_pressure = 0.0;  ///< [Pa]
+    double mean_contact_pressure = 0.0;    ///< all contact force over the area in contact [Pa]
+    double max_contact_pressure = 0.0;     ///< [Pa]
     double radial_force_per_length = 0.0;  ///< all contact force over the implanted length [N/m]
     double contact_area_fraction = 0.0;    ///< area in contact over the device's area [-]
     double malapposed_area = 0.0;          ///< area free of the wall by more than neck_gap [m^2]

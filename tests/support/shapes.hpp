@@ -47,4 +47,19 @@ inline Centerline tube_centerline(double radius, double length, double spacing =
     return resample(line, ResampleOptions{.spacing = spacing, .smoothing = 0.0});
 }
 
+/// A closed box of twelve triangles, normals outwards. Point 4 z + 2 y + x is the corner at the
+/// upper (1) or lower (0) end of each axis; triangles 0 and 1 are the lower face in z, then the
+/// upper one, then the two faces in y and the two in x.
+inline TriangleMesh box(const Vec3& lower, const Vec3& upper)
+{
+    TriangleMesh mesh;
+    for (int k = 0; k < 8; ++k) {
+        mesh.points.emplace_back(k & 1 ? upper.x() : lower.x(), k & 2 ? upper.y() : lower.y(),
+                                 k & 4 ? upper.z() : lower.z());
+    }
+    mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    return mesh;
+}
+
 }  // namespace braidzone::test

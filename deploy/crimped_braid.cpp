@@ -1,0 +1,34 @@
+#include "deploy/crimped_braid.hpp"
+
+#include <cmath>
+
+namespace braidzone {
+
+CrimpedBraid crimp(const BraidLattice& lattice, const Centerline& centerline,
+                   const std::vector<double>& ring_arc_length, double radius)
+{
+    CrimpedBraid braid;
+    braid.lattice = lattice;
+    braid.ring_arc_length = ring_arc_length;
+    braid.radius = radius;
+    braid.rays.reserve(static_cast<std::size_t>(lattice.num_nodes()));
+    for (int ring = 0; ring < lattice.num_rings; ++ring) {
+        const CrossSection section =
+            section_at(centerline, ring_arc_length[static_cast<std::size_t>(ring)]);
+        braid.rings.push_back(section);
+        for (int column = 0; column < lattice.nodes_per_ring; ++column) {
+            const double angle = lattice.angle(ring, column);
+            braid.rays.push_back(std::cos(angle) * section.normal +
+                                 std::sin(angle) * section.binormal);
+        }
+    }
+    return braid;
+}
+
+Vec3 on_ray(const CrimpedBraid& braid, int node, double distance)
+{
+    const std::size_t ring = static_cast<std::size_t>(node / braid.lattice.nodes_per_ring);
+    return braid.rings[ring].origin + distance * braid.rays[static_cast<std::size_t>(node)];
+}
+
+}  // namespace braidzone

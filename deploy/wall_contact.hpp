@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/wall_tree.hpp"
+#include "deploy/crimped_braid.hpp"
+
+#include <vector>
+
+namespace braidzone {
+
+/// Where the wall stops each node: the distance from the hub, along the node's ray, at which the
+/// segment from the crimped position outwards first meets a triangle of the wall, less `offset`
+/// measured along the wall's normal [m].
+///
+/// This is the whole of the contact at infinite friction (Zavodszky et al. 2020, section 2.2): a
+/// node that comes to its stop is held there, does not slide, and leaves when the force along its
+/// ray turns inwards. No node passes the wall, since none passes its stop.
+///
+/// @param reach   how far to look along the rays [m]; the stop of a ray that meets no wall so far
+/// @param offset  distance from the wall at which nodes are held [m]; > 0
+std::vector<double> wall_stops(const CrimpedBraid& braid, const WallTree& wall, double reach,
+                               double offset);
+
+}  // namespace braidzone

@@ -1,0 +1,76 @@
+#include "deploy/braid_lattice.hpp"
+#include "support/devices.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace braidzone {
+
+using test::pipeline_4x20;
+
+// pi 2 mm / 24 = 0.261799 mm; times 0.40 = 0.104720 mm; 20 mm / 0.104720 mm = 190.99 gaps.
+TEST(MakeLattice, ReproducesTheCrossingsOfA4x20DeviceWith48Wires)
+{
+    const BraidLattice lattice = make_lattice(pipeline_4x20());
+    EXPECT_EQ(lattice.nodes_per_ring, 24);
+    EXPECT_EQ(lattice.num_rings, 192);
+    EXPECT_NEAR(lattice.arm_width, 0.261799e-3, 1e-9);
+    EXPECT_NEAR(lattice.ring_spacing, 0.104720e-3, 1e-9);
+}
+
+// Pore density of a uniform braid: N^2 tan(alpha) / (8 pi^2 R^2), alpha from the axis,
+// tan(alpha) = 1 / t: 48^2 / (0.40 8 pi^2 (2 mm)^2) = 18.24 per mm^2.
+TEST(MakeLattice, HasOneNodeForEachCrossing)
+{
+    const BraidLattice lattice = make_lattice(pipeline_4x20());
+    const double density = 48.0 * 48.0 / (0.40 * 8.0 * std::pow(std::numbers::pi * 2e-3, 2));
+    EXPECT_NEAR(1.0 / lattice.node_area(), density, 1e-9 * density);
+}
+
+TEST(MakeLattice, IsForceFreeAtNominalDiameterAndSpacing)
+{
+    const BraidLattice lattice = make_lattice(pipeline_4x20());
+    const double chord = 2.0 * 2e-3 * std::sin(0.5 * std::numbers::pi / 24);
+    EXPECT_NEAR(lattice.arm_length, std::hypot(lattice.ring_spacing, chord), 1e-18);
+}
+
+TEST(MakeLattice, KeepsThreeRingsForTheShortestDevice)
+{
+    FlowDiverter device = pipeline_4x20();
+    device.nominal_length = 0.05e-3;
+    EXPECT_EQ(make_lattice(device).num_rings, 3);
+}
+
+TEST(RhombusCorners, FormOneConnectedLatticeInWhichEveryNodeIsReached)
+{
+    const BraidLattice lattice = make_lattice(pipeline_4x20());
+    std::set<int> reached;
+    for (int ring = 0; ring + 2 < lattice.num_rings; ++ring) {
+        for (int column = 0; column < lattice.nodes_per_ring; ++column) {
+            for (int corner : rhombus_corners(lattice, ring, column))
+                reached.insert(corner);
+        }
+    }
+    EXPECT_EQ(static_cast<int>(reached.size()), lattice.num_nodes());
+}
+
+// Opposite corners of a rhombus stand at the same angle (0 and 2) and at the same ring (1 and 3),
+// one node spacing apart.
+TEST(RhombusCorners, AreStaggeredByHalfANodeSpacing)
+{
+    const BraidLattice lattice = make_lattice(pipeline_4x20());
+    const double node_spacing = 2.0 * std::numbers::pi / 24;
+    const auto angle_of = [&](int node) {
+        return lattice.angle(node / lattice.nodes_per_ring, node % lattice.nodes_per_ring);
+    };
+    const auto corners = rhombus_corners(lattice, 7, 5);
+    EXPECT_NEAR(angle_of(corners[0]), angle_of(corners[2]), 1e-12);
+    EXPECT_NEAR(angle_of(corners[3]) - angle_of(corners[1]), node_spacing, 1e-12);
+    EXPECT_EQ(corners[1] / lattice.nodes_per_ring, 8);
+    EXPECT_EQ(corners[3] / lattice.nodes_per_ring, 8);
+}
+
+}  // namespace braidzone

@@ -1,0 +1,128 @@
+#include "deploy/crimped_braid.hpp"
+#include "deploy/deployment_measures.hpp"
+#include "support/devices.hpp"
+#include "support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace braidzone {
+
+namespace {
+
+constexpr double tube_radius = 2.2e-3;
+constexpr double ring_radius = 1.9e-3;
+
+/// A 4 x 4 mm device by hand: every ring a circle of 1.9 mm at nominal spacing in a wider tube.
+Deployment uniform_deployment()
+{
+    FlowDiverter device = test::pipeline_4x20();
+    device.nominal_length = 4e-3;
+    Deployment deployment;
+    deployment.lattice = make_lattice(device);
+    for (int ring = 0; ring < deployment.lattice.num_rings; ++ring) {
+        deployment.ring_arc_length.push_back(8e-3 - ring * deployment.lattice.ring_spacing);
+    }
+    const CrimpedBraid braid = crimp(deployment.lattice, test::tube_centerline(tube_radius, 10e-3),
+                                     deployment.ring_arc_length, ring_radius);
+    deployment.rings = braid.rings;
+    const std::size_t count = braid.rays.size();
+    for (std::size_t node = 0; node < count; ++node) {
+        deployment.nodes.push_back(on_ray(braid, static_cast<int>(node), ring_radius));
+    }
+    deployment.in_contact.assign(count, 0);
+    deployment.wall_distance.assign(count, tube_radius - ring_radius);
+    deployment.contact_force.assign(count, 0.0);
+    deployment.contact_pressure.assign(count, 0.0);
+    return deployment;
+}
+
+DeploymentMeasures measure_in_tube(const Deployment& deployment)
+{
+    FlowDiverter device = test::pipeline_4x20();
+    device.nominal_length = 4e-3;
+    return measure(deployment, device, WallTree(test::tube_vessel(tube_radius, 10e-3)), 60e-6);
+}
+
+}  // namespace
+
+// Rhombi between circles of radius R: diagonals 2 R sin(pi / n) and 2 dL, half their product each.
+TEST(NodeAreas, SumToTheAreaOfTheRhombi)
+{
+    const Deployment deployment = uniform_deployment();
+    const BraidLattice& lattice = deployment.lattice;
+    const double rhombus = 2.0 * ring_radius * std::sin(std::numbers::pi / lattice.nodes_per_ring) *
+                           lattice.ring_spacing;
+    const std::vector<double> areas = node_areas(lattice, deployment.nodes);
+    const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+    EXPECT_NEAR(sum, lattice.num_rhombi() * rhombus, 1e-9 * sum);
+    EXPECT_NEAR(areas[static_cast<std::size_t>(lattice.node(10, 4))], rhombus, 1e-9 * rhombus);
+    EXPECT_NEAR(areas[static_cast<std::size_t>(lattice.node(0, 4))], 0.25 * rhombus,
+                1e-9 * rhombus);
+}
+
+TEST(RadialExpansion, IsTheDistanceToTheCentreOfTheRing)
+{
+    for (double expansion : radial_expansion(uniform_deployment())) {
+        EXPECT_NEAR(expansion, ring_radius, 1e-12);
+    }
+}
+
+TEST(InvertedRhombi, AreNoneInASoundBraidAndFoundInAFoldedOne)
+{
+    Deployment deployment = uniform_deployment();
+    EXPECT_TRUE(inverted_rhombi(deployment).empty());
+    // Two nodes of a rhombus's ring change places: its winding turns over.
+    const auto corners = rhombus_corners(deployment.lattice, 10, 4);
+    std::swap(deployment.nodes[static_cast<std::size_t>(corners[1])],
+              deployment.nodes[static_cast<std::size_t>(corners[3])]);
+    const std::vector<int> inverted = inverted_rhombi(deployment);
+    EXPECT_NE(
+        std::find(inverted.begin(), inverted.end(), 10 * deployment.lattice.nodes_per_ring + 4),
+        inverted.end());
+}
+
+TEST(Measure, GivesHandValuesForAUniformBraid)
+{
+    Deployment deployment = uniform_deployment();
+    // Ring 10 touches the wall with 1 mN a node.
+    for (int column = 0; column < 24; ++column) {
+        const std::size_t node = static_cast<std::size_t>(deployment.lattice.node(10, column));
+        deployment.in_contact[node] = 1;
+        deployment.contact_force[node] = 1e-3;
+    }
+    const DeploymentMeasures figures = measure_in_tube(deployment);
+    const double spacing = deployment.lattice.ring_spacing;
+    const int gaps = deployment.lattice.num_rings - 1;
+    EXPECT_NEAR(figures.implanted_length, gaps * spacing, 1e-12);
+    // L(R) at R / R0 = 0.69 / 4: sqrt(0.16 + 1 - 0.029756) / 0.4 = 2.65783.
+    EXPECT_NEAR(figures.foreshortening, 1.0 - 1.0 / 2.65783, 1e-5);
+    EXPECT_NEAR(figures.radial_force_per_length, 24e-3 / (gaps * spacing), 1e-9);
+    const double ring_area = 24 * 2.0 * ring_radius * std::sin(std::numbers::pi / 24) * spacing;
+    EXPECT_NEAR(figures.mean_contact_pressure, 24e-3 / ring_area, 1e-6 * 24e-3 / ring_area);
+    EXPECT_NEAR(figures.contact_area_fraction, ring_area / figures.device_area, 1e-9);
+    EXPECT_NEAR(figures.malapposed_area, figures.device_area - ring_area, 1e-15);
+    EXPECT_NEAR(figures.mean_radial_expansion_neck.value(), ring_radius, 1e-12);
+    EXPECT_EQ(figures.nodes_outside_vessel, 0);
+}
+
+TEST(Measure, CountsNodesOutsideTheVessel)
+{
+    Deployment deployment = uniform_deployment();
+    deployment.nodes[100] = Vec3(3e-3, 0, 5e-3);
+    EXPECT_EQ(measure_in_tube(deployment).nodes_outside_vessel, 1);
+}
+
+TEST(Measure, HasNoNeckWhenEveryNodeTouches)
+{
+    Deployment deployment = uniform_deployment();
+    deployment.in_contact.assign(deployment.nodes.size(), 1);
+    const DeploymentMeasures figures = measure_in_tube(deployment);
+    EXPECT_FALSE(figures.mean_radial_expansion_neck.has_value());
+    EXPECT_NEAR(figures.contact_area_fraction, 1.0, 1e-12);
+}
+
+}  // namespace braidzone

@@ -1,0 +1,134 @@
+#include "deploy/spring_forces.hpp"
+#include "support/devices.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace braidzone {
+
+namespace {
+
+struct Braid {
+    BraidLattice lattice;
+    SpringCoefficients coefficients;
+    std::vector<CrossSection> rings;
+    std::vector<Vec3> nodes;
+};
+
+/// A braid of few rings around z at the given radius and ring spacing; ring 0 has the largest z.
+Braid straight_braid(double radius, double spacing_ratio)
+{
+    FlowDiverter device = test::pipeline_4x20();
+    device.nominal_length = 1e-3;
+    Braid braid;
+    braid.lattice = make_lattice(device);
+    braid.coefficients = spring_coefficients(device, braid.lattice, 0.5);
+    for (int ring = 0; ring < braid.lattice.num_rings; ++ring) {
+        CrossSection section;
+        section.tangent = Vec3::UnitZ();
+        section.normal = Vec3::UnitX();
+        section.binormal = Vec3::UnitY();
+        section.origin = Vec3(0, 0, -ring * spacing_ratio * braid.lattice.ring_spacing);
+        braid.rings.push_back(section);
+        for (int column = 0; column < braid.lattice.nodes_per_ring; ++column) {
+            const double angle = braid.lattice.angle(ring, column);
+            braid.nodes.push_back(section.origin +
+                                  radius * Vec3(std::cos(angle), std::sin(angle), 0.0));
+        }
+    }
+    return braid;
+}
+
+Vec3 force_on(const Braid& braid, int ring, int column)
+{
+    return spring_force(braid.lattice, braid.coefficients, braid.nodes, braid.rings, ring, column);
+}
+
+}  // namespace
+
+// Reference lattice: 36 gaps of 20/36 mm, 24 nodes: 0.2909 mm^2 a node; crossing lattice:
+// 0.104720 mm * 0.523599 mm = 0.054831 mm^2; 0.1 N/m * 0.054831 / 0.2909 = 0.018850 N/m.
+TEST(SpringCoefficients, ScaleTheRadialSpringWithTheAreaOfItsNode)
+{
+    const FlowDiverter device = test::pipeline_4x20();
+    const SpringCoefficients c = spring_coefficients(device, make_lattice(device), 0.5);
+    EXPECT_DOUBLE_EQ(c.surface, 0.6);
+    EXPECT_NEAR(c.radial, 0.018850, 1e-6);
+    EXPECT_DOUBLE_EQ(c.bending, 0.3);
+}
+
+TEST(SpringForce, VanishesInTheForceFreeDevice)
+{
+    const Braid braid = straight_braid(2e-3, 1.0);
+    for (int ring = 0; ring < braid.lattice.num_rings; ++ring) {
+        EXPECT_LT(force_on(braid, ring, 3).norm(), 1e-15) << ring;
+    }
+}
+
+// Radial force of an inner node at radius R and nominal spacing, by the geometry of its four arms:
+// c_radial (R0 - R) + 4 c_surface (l0 - l) R (1 - cos(pi/n)) / l.
+TEST(SpringForce, MatchesTheClosedFormInAStraightTube)
+{
+    const double radius = 1.85e-3;
+    const Braid braid = straight_braid(radius, 1.0);
+    const double half_angle = std::numbers::pi / braid.lattice.nodes_per_ring;
+    const double length =
+        std::hypot(braid.lattice.ring_spacing, 2.0 * radius * std::sin(0.5 * half_angle));
+    const double expected = braid.coefficients.radial * (2e-3 - radius) +
+                            4.0 * braid.coefficients.surface * (braid.lattice.arm_length - length) *
+                                radius * (1.0 - std::cos(half_angle)) / length;
+    const Vec3 outward =
+        (braid.nodes[static_cast<std::size_t>(braid.lattice.node(4, 3))] - braid.rings[4].origin)
+            .normalized();
+    EXPECT_NEAR(force_on(braid, 4, 3).dot(outward), expected, 1e-12 * expected);
+    EXPECT_NEAR(force_on(braid, 4, 3).cross(outward).norm(), 0.0, 1e-15);
+}
+
+// Central differences of the energy: their error is of second order in the step, so that it falls
+// by four when the step is halved.
+TEST(SpringForce, IsMinusTheGradientOfTheEnergy)
+{
+    Braid braid = straight_braid(1.7e-3, 0.8);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> shift(-2e-5, 2e-5);
+    for (Vec3& node : braid.nodes)
+        node += Vec3(shift(random), shift(random), shift(random));
+
+    const auto largest_error = [&](double step) {
+        double largest = 0.0;
+        for (int ring : {0, 1, 5, braid.lattice.num_rings - 1}) {
+            for (int column : {0, 11, 23}) {
+                const Vec3 force = force_on(braid, ring, column);
+                Vec3& node =
+                    braid.nodes[static_cast<std::size_t>(braid.lattice.node(ring, column))];
+                for (int axis = 0; axis < 3; ++axis) {
+                    const double x = node[axis];
+                    const auto energy_at = [&](double value) {
+                        node[axis] = value;
+                        return elastic_energy(braid.lattice, braid.coefficients, braid.nodes,
+                                              braid.rings);
+                    };
+                    const double slope = (energy_at(x + step) - energy_at(x - step)) / (2.0 * step);
+                    node[axis] = x;
+                    largest = std::max(largest, std::abs(force[axis] + slope));
+                }
+            }
+        }
+        return largest;
+    };
+    const double coarse = largest_error(2e-5), fine = largest_error(1e-5);
+    EXPECT_NEAR(coarse / fine, 4.0, 0.2);
+    EXPECT_LT(fine, 1e-3 * 0.6 * braid.lattice.arm_length);
+}
+
+// sqrt((8 * 0.6 + 0.1 + 32 * 0.3) / 2) by hand.
+TEST(LargestFrequency, BoundsTheStiffnessOfArmsRadialSpringAndWires)
+{
+    EXPECT_DOUBLE_EQ(largest_frequency({.surface = 0.6, .radial = 0.1, .bending = 0.3}, 2.0),
+                     std::sqrt(14.5 / 2.0));
+}
+
+}  // namespace braidzone
