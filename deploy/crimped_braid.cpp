@@ -1,21 +1,21 @@
 #include "deploy/crimped_braid.hpp"
 
+#include <cassert>
 #include <cmath>
 
 namespace braidzone {
 
-CrimpedBraid crimp(const BraidLattice& lattice, const Centerline& centerline,
-                   const std::vector<double>& ring_arc_length, double radius)
+CrimpedBraid crimp(const BraidLattice& lattice, const std::vector<CrossSection>& rings,
+                   double radius)
 {
+    assert(static_cast<int>(rings.size()) == lattice.num_rings);
     CrimpedBraid braid;
     braid.lattice = lattice;
-    braid.ring_arc_length = ring_arc_length;
+    braid.rings = rings;
     braid.radius = radius;
     braid.rays.reserve(static_cast<std::size_t>(lattice.num_nodes()));
     for (int ring = 0; ring < lattice.num_rings; ++ring) {
-        const CrossSection section =
-            section_at(centerline, ring_arc_length[static_cast<std::size_t>(ring)]);
-        braid.rings.push_back(section);
+        const CrossSection& section = rings[static_cast<std::size_t>(ring)];
         for (int column = 0; column < lattice.nodes_per_ring; ++column) {
             const double angle = lattice.angle(ring, column);
             braid.rays.push_back(std::cos(angle) * section.normal +

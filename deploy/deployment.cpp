@@ -4,6 +4,7 @@
 #include "deploy/crimped_braid.hpp"
 #include "deploy/deployment_measures.hpp"
 #include "deploy/equation_of_motion.hpp"
+#include "deploy/ring_centring.hpp"
 #include "deploy/spring_forces.hpp"
 #include "deploy/wall_contact.hpp"
 #include "deploy/wire_bending.hpp"
@@ -25,6 +26,15 @@ constexpr double contact_offset_ratio = 5e-4;
 /// R0 sqrt(1 + t^2), 1.14 R0 for the steepest of the library; the rest is room for the swing.
 constexpr double reach_ratio = 2.0;
 
+std::vector<CrossSection> sections_at(const Centerline& centerline,
+                                      const std::vector<double>& arc_lengths)
+{
+    std::vector<CrossSection> sections;
+    for (double arc_length : arc_lengths)
+        sections.push_back(section_at(centerline, arc_length));
+    return sections;
+}
+
 void require_device_on_centerline(const Centerline& centerline,
                                   const std::vector<double>& positions)
 {
@@ -37,7 +47,8 @@ void require_device_on_centerline(const Centerline& centerline,
     }
 }
 
-void require_room_for_catheter(const CrimpedBraid& braid, const WallTree& wall)
+void require_room_for_catheter(const CrimpedBraid& braid, const std::vector<double>& positions,
+                               const WallTree& wall)
 {
     for (std::size_t ring = 0; ring < braid.rings.size(); ++ring) {
         const Vec3& hub = braid.rings[ring].origin;
@@ -46,7 +57,7 @@ void require_room_for_catheter(const CrimpedBraid& braid, const WallTree& wall)
             throw GeometryError(fmt::format(
                 "at {:.6g} mm along the centerline the wall is {:.6g} mm away; the catheter of "
                 "{:.6g} mm diameter does not pass",
-                1e3 * braid.ring_arc_length[ring], 1e3 * room, 2e3 * braid.radius));
+                1e3 * positions[ring], 1e3 * room, 2e3 * braid.radius));
         }
     }
 }
@@ -219,9 +230,11 @@ Deployment deploy(const FlowDiverter& device, const Centerline& centerline, cons
     const std::vector<double> positions =
         ring_positions(schedule, landing_distal, lattice.ring_spacing, lattice.num_rings);
     require_device_on_centerline(centerline, positions);
-    const CrimpedBraid crimped =
-        crimp(lattice, centerline, positions, 0.5 * device.catheter_diameter);
-    require_room_for_catheter(crimped, wall);
+    const std::vector<CrossSection> rings =
+        options.centre_rings ? centred_rings(centerline, wall, positions, lattice.nominal_radius)
+                             : sections_at(centerline, positions);
+    const CrimpedBraid crimped = crimp(lattice, rings, 0.5 * device.catheter_diameter);
+    require_room_for_catheter(crimped, positions, wall);
     require_fitting_diameter(device, crimped.rings);
 
     const SpringCoefficients coefficients =

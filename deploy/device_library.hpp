@@ -22,12 +22,12 @@ struct SourcedValue {
 
 /// One device of the library: a product in all its sizes.
 struct DeviceModel {
-    std::string name;          ///< "pipeline-flex"
-    std::string title;         ///< "Pipeline Flex Embolization Device (Medtronic)"
+    std::string name;                       ///< "pipeline-flex"
+    std::string title;                      ///< "Pipeline Flex Embolization Device (Medtronic)"
     std::vector<double> nominal_diameters;  ///< [m]
     std::vector<double> nominal_lengths;    ///< [m]
-    bool complete = false;     ///< every value that a deployment needs is known
-    std::vector<std::string> missing;    ///< keys that are not known, if not complete
+    bool complete = false;                  ///< every value that a deployment needs is known
+    std::vector<std::string> missing;       ///< keys that are not known, if not complete
     std::vector<SourcedValue> values;
     std::filesystem::path file;
 };
@@ -46,6 +46,8 @@ std::vector<DeviceModel> device_library();
 /// t(D) = 0.160 + 0.957 mm / D and the coefficients the straight line through the known sizes.
 ///
 /// @param notes  receives a sentence for each value that is extrapolated or of low confidence
+/// A name that the library does not hold is a mere label if the section gives every value.
+///
 /// @throws ConfigError for an unknown device (with the nearest name), a size that is not made (with
 ///         the sizes that are, unless `any_size = true`), and what `validate` refuses
 FlowDiverter read_device(const TomlTable& section, std::vector<std::string>& notes);

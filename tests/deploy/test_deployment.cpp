@@ -100,9 +100,11 @@ TEST(Deploy, LeavesTheNodesOverTheBulgeFreeAndWithoutForce)
         ++num_free;
         EXPECT_FALSE(deployment.in_contact[i]);
         EXPECT_EQ(deployment.contact_force[i], 0.0);
-        // Between the vessel's radius and the device's own.
-        EXPECT_GT(std::hypot(node.x(), node.y()), 1.75e-3);
-        EXPECT_LT(std::hypot(node.x(), node.y()), 2.05e-3);
+        // Wider than the tube, and no wider than the device's own radius.
+        const std::size_t ring = i / static_cast<std::size_t>(deployment.lattice.nodes_per_ring);
+        const double opened = (node - deployment.rings[ring].origin).norm();
+        EXPECT_GT(opened, 1.75e-3);
+        EXPECT_LT(opened, 2.05e-3);
     }
     EXPECT_GT(num_free, 20);
 }

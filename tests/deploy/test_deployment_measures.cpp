@@ -23,12 +23,12 @@ Deployment uniform_deployment()
     device.nominal_length = 4e-3;
     Deployment deployment;
     deployment.lattice = make_lattice(device);
+    const Centerline axis = test::tube_centerline(tube_radius, 10e-3);
     for (int ring = 0; ring < deployment.lattice.num_rings; ++ring) {
         deployment.ring_arc_length.push_back(8e-3 - ring * deployment.lattice.ring_spacing);
+        deployment.rings.push_back(section_at(axis, deployment.ring_arc_length.back()));
     }
-    const CrimpedBraid braid = crimp(deployment.lattice, test::tube_centerline(tube_radius, 10e-3),
-                                     deployment.ring_arc_length, ring_radius);
-    deployment.rings = braid.rings;
+    const CrimpedBraid braid = crimp(deployment.lattice, deployment.rings, ring_radius);
     const std::size_t count = braid.rays.size();
     for (std::size_t node = 0; node < count; ++node) {
         deployment.nodes.push_back(on_ray(braid, static_cast<int>(node), ring_radius));

@@ -16,11 +16,12 @@ CrimpedBraid crimped_in_tube(double radius)
     FlowDiverter device = test::pipeline_4x20();
     device.nominal_length = 4e-3;
     const BraidLattice lattice = make_lattice(device);
-    std::vector<double> positions;
+    const Centerline axis = test::tube_centerline(radius, 10e-3);
+    std::vector<CrossSection> rings;
     for (int ring = 0; ring < lattice.num_rings; ++ring) {
-        positions.push_back(8e-3 - ring * lattice.ring_spacing);
+        rings.push_back(section_at(axis, 8e-3 - ring * lattice.ring_spacing));
     }
-    return crimp(lattice, test::tube_centerline(radius, 10e-3), positions, 0.345e-3);
+    return crimp(lattice, rings, 0.345e-3);
 }
 
 }  // namespace
@@ -30,9 +31,9 @@ TEST(Crimp, PutsTheNodesOnCirclesInThePlanesOfTheirRings)
     const CrimpedBraid braid = crimped_in_tube(1.8e-3);
     for (int node = 0; node < braid.lattice.num_nodes(); ++node) {
         const Vec3 place = on_ray(braid, node, braid.radius);
-        const std::size_t ring = static_cast<std::size_t>(node / braid.lattice.nodes_per_ring);
+        const int ring = node / braid.lattice.nodes_per_ring;
         EXPECT_NEAR(std::hypot(place.x(), place.y()), 0.345e-3, 1e-12);
-        EXPECT_NEAR(place.z(), braid.ring_arc_length[ring], 1e-9);
+        EXPECT_NEAR(place.z(), 8e-3 - ring * braid.lattice.ring_spacing, 1e-9);
     }
 }
 

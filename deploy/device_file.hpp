@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/quantity.hpp"
+#include "deploy/device_library.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace braidzone {
+
+/// A value that a deployment needs, under its key in device files and in a case's [device].
+struct DeviceParameter {
+    std::string_view key;
+    std::optional<Dimension> dimension;            ///< none: a plain number
+    void (*set)(FlowDiverter& device, double si);  ///< puts the value into a device
+};
+
+/// The eight values that a device needs besides its size, in the order of display.
+const std::vector<DeviceParameter>& device_parameters();
+
+/// How a value goes on between the nominal diameters for which it is known.
+enum class BetweenSizes {
+    step,  ///< from each diameter on, up to the next: numbers of wires
+    line,  ///< straight line through the two nearest sizes
+    fit,   ///< constant + per_diameter / D
+};
+
+/// A value of the library as a function of the nominal diameter.
+struct SizedValue {
+    std::vector<double> diameters;  ///< increasing [m]; empty if one value serves every size
+    std::vector<double> values;     ///< SI, one a diameter
+    BetweenSizes between = BetweenSizes::line;
+    double fit_constant = 0.0;      ///< SI
+    double fit_per_diameter = 0.0;  ///< SI times metre
+    std::string source;
+    Confidence confidence = Confidence::low;
+};
+
+/// True if the library states the value at this diameter, false if it follows from other sizes.
+bool is_stated_at(const SizedValue& value, double diameter);
+
+/// The value at a nominal diameter [m].
+double value_at(const SizedValue& value, double diameter);
+
+/// A device file: what is shown of it and what is computed with.
+struct DeviceFile {
+    DeviceModel model;
+    std::map<std::string, SizedValue, std::less<>> parameters;  ///< by key; known ones only
+};
+
+/// Reads a device file: `name`, `title`, and for each value a table with `value`, `source` and
+/// `confidence` ("high", "medium", "low"); a value that depends on the size has arrays `value` and
+/// `at_diameter`, and optionally `between` ("step" or "line", the default) or
+/// `fit = {constant, per_diameter}`.
+/// @throws ConfigError if it is no device
+DeviceFile read_device_file(const std::filesystem::path& path);
+
+}  // namespace braidzone
