@@ -32,7 +32,7 @@ struct Centerline {
 };
 
 struct ResampleOptions {
-    double spacing = 0.1e-3;  ///< [m]
+    double spacing = 0.1e-3;  ///< wanted; the nearest that divides the length is used [m]
     /// Standard deviation of the Gaussian that smooths the points, over the mean inscribed radius.
     /// It removes the voxel and Voronoi noise that would tilt the cross-sections; end points stay.
     double smoothing = 0.5;
@@ -42,13 +42,20 @@ struct ResampleOptions {
 /// reflection (Wang, Juettler, Zheng and Liu 2008, ACM Trans. Graph. 27:2, doi
 /// 10.1145/1330511.1330513), which is fourth-order accurate in the spacing.
 ///
-/// @param polyline  at least two distinct points, with radii
+/// Between its points the polyline is a twice continuously differentiable cubic spline, so that
+/// coarse polylines have smooth tangents too. Smoothing replaces each point by the value there of
+/// a quadratic in arc length, fitted to its neighbours with Gaussian weights: unlike a plain
+/// Gaussian mean, which pulls a bend of radius R inwards by (sigma / R)^2 / 2, it moves the bend by
+/// only (sigma / R)^4 / 8 of R, and it does not shorten or straighten the ends.
+///
+/// @param polyline  at least two distinct points, with radii; points closer to their predecessor
+///                  than a hundredth of the spacing count as repeated and are skipped
 /// @throws InputError if there are fewer than two distinct points, a value is not finite, or radii
-///         are missing or not positive
+///         are missing or not positive, or if an option is out of range
 Centerline resample(const Polyline& polyline, const ResampleOptions& options = {});
 
-/// The cross-section at an arc length, interpolated between the two nearest sections; the tangent
-/// and the normal are orthonormal again.
+/// The cross-section at an arc length, interpolated between the two nearest sections (the origin
+/// cubically, continuous with its derivative); the tangent and the normal are orthonormal again.
 /// @param arc_length  [m], 0 to `centerline.length()`
 /// @throws InputError outside that range
 CrossSection section_at(const Centerline& centerline, double arc_length);

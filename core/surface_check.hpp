@@ -4,27 +4,26 @@
 
 #include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace braidzone {
 
 /// What is wrong with a surface, element by element. Indices are those of the mesh as read.
 struct SurfaceDefects {
-    std::vector<int> degenerate_triangles;                ///< no area, or two equal corners
-    std::vector<std::array<int, 2>> non_manifold_edges;   ///< point pairs in three triangles or more
-    std::vector<int> non_manifold_points;                 ///< points where the surface pinches
-    std::vector<std::array<int, 2>> inconsistent_edges;   ///< neighbours wind in opposite senses
+    std::vector<int> degenerate_triangles;               ///< no area, or two equal corners
+    std::vector<std::array<int, 2>> non_manifold_edges;  ///< point pairs in three triangles or more
+    std::vector<int> non_manifold_points;                ///< points where the surface pinches
+    std::vector<std::array<int, 2>> inconsistent_edges;  ///< neighbours wind in opposite senses
     std::vector<std::array<int, 2>> intersecting_triangles;  ///< pairs of triangles that cross
-    int num_components = 0;                               ///< connected parts
+    int num_components = 0;                                  ///< connected parts
     bool is_inverted = false;  ///< the normals of a consistent surface point into the lumen
 };
 
 /// Examines a surface (Botsch et al. 2010, Polygon Mesh Processing, chapter 8).
 ///
 /// A triangle is degenerate if its area is below 1e-12 of the square of the bounding box's
-/// diagonal over the number of triangles. Self-intersection is tested only if the surface is
-/// free of the other defects: the test needs a manifold.
+/// diagonal over the number of triangles. Self-intersection is tested only on a consistent manifold
+/// without degenerate triangles, and inversion only if it is in one part besides.
 /// @return the defects; all lists empty for a sound surface
 SurfaceDefects find_defects(const TriangleMesh& mesh);
 
@@ -33,12 +32,5 @@ bool is_sound(const SurfaceDefects& defects);
 
 /// One line per kind of defect, with count and the first five elements; empty if sound.
 std::string describe(const SurfaceDefects& defects);
-
-/// A sound surface from a defective one: drops degenerate triangles and small components, splits
-/// non-manifold points, orients the parts outwards, and removes self-intersections (CGAL, Polygon
-/// Mesh Processing). For use when the user asks for it only.
-/// @return the repaired surface and one sentence for each thing changed
-/// @throws GeometryError if defects remain
-std::pair<TriangleMesh, std::vector<std::string>> repair(const TriangleMesh& mesh);
 
 }  // namespace braidzone

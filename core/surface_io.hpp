@@ -22,7 +22,6 @@ TriangleMesh read_surface(const std::filesystem::path& path, const LengthUnit& u
 
 /// Writes a binary STL, coordinates in the given unit (single precision).
 /// @throws IoError if the file cannot be written
-void write_stl(const std::filesystem::path& path, const TriangleMesh& mesh,
-               const LengthUnit& unit);
+void write_stl(const std::filesystem::path& path, const TriangleMesh& mesh, const LengthUnit& unit);
 
 }  // namespace braidzone

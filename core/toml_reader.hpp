@@ -36,6 +36,7 @@ public:
     double quantity(const std::string& key, Dimension dimension) const;  ///< SI
     Vec3 point(const std::string& key) const;  ///< ["x mm", "y mm", "z mm"], [m]
     std::vector<double> quantities(const std::string& key, Dimension dimension) const;
+    std::vector<double> numbers(const std::string& key) const;
     std::vector<std::string> texts(const std::string& key) const;
 
     // The same with a default for a missing key.

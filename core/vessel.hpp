@@ -10,39 +10,39 @@ namespace braidzone {
 
 /// An open end of the vessel.
 struct Opening {
-    Vec3 centre = Vec3::Zero();  ///< area centroid of the rim's fan [m]
-    Vec3 normal = Vec3::UnitX(); ///< unit, out of the lumen
-    double area = 0.0;           ///< [m^2]
-    double radius = 0.0;         ///< sqrt(area / pi) [m]
-    std::vector<int> rim;        ///< points of the wall around the opening, in order
+    Vec3 centre = Vec3::Zero();   ///< area centroid of the rim's polygon [m]
+    Vec3 normal = Vec3::UnitX();  ///< unit, out of the lumen
+    double area = 0.0;            ///< of the rim's polygon, seen along the normal [m^2]
+    double radius = 0.0;          ///< sqrt(area / pi) [m]
+    std::vector<int> rim;         ///< points of the wall, anticlockwise as seen from outside
 };
 
 /// A vessel: its wall, open at the ends, normals out of the lumen.
 struct Vessel {
-    TriangleMesh wall;              ///< [m]
-    std::vector<Opening> openings;  ///< largest area first
-    LengthUnit unit;                ///< that of the file, for output that overlays it
-    std::vector<std::string> notes; ///< what was repaired or opened on request
+    TriangleMesh wall;               ///< [m]
+    std::vector<Opening> openings;   ///< largest area first
+    LengthUnit unit;                 ///< that of the file, for output that overlays it
+    std::vector<std::string> notes;  ///< what was repaired or opened on request
 };
 
 struct VesselOptions {
-    bool repair = false;        ///< repair defects instead of refusing them
-    double cap_angle_deg = 5.0; ///< a cap is a flat part: its normals differ by less than this
+    bool repair = false;         ///< mend defects and holes instead of refusing them
+    double cap_angle_deg = 5.0;  ///< a cap's normals are within this of their mean
 };
 
 /// The vessel of a surface: sound, opened at flat caps, with its openings measured.
 ///
-/// An open surface has its rims as openings. A closed surface is opened at its caps: connected,
-/// flat regions that meet the wall at an edge sharper than 45 degrees and whose area is that of a
-/// cross-section; rims smaller than a quarter of the largest opening's radius count as holes and
-/// are refused.
+/// An open surface has its rims as openings. A surface with fewer than two rims is opened at its
+/// flat caps (`flat_caps`). Rims of less than a quarter of the largest opening's radius are holes.
+///
+/// With `repair`, defects are mended (`repair` in surface_repair.hpp) and holes closed by fans.
 ///
 /// @param surface  as `read_surface` returns it [m]
 /// @param unit     the unit of the file
-/// @throws GeometryError if the surface is defective (with the list, unless `repair`), inverted,
-///         closed without flat caps, has fewer than two openings, or is no blood vessel by its
-///         size: the largest opening's diameter must lie in 0.5 to 30 mm, which catches a surface
-///         whose unit was stated wrongly
+/// @throws GeometryError if the surface is defective or inverted (with the list of the defects) or
+///         has holes (with their place), unless `repair`; if it is closed without flat caps, has
+///         fewer than two openings, or is no blood vessel by its size: the largest opening's
+///         diameter must lie in 0.5 to 30 mm, which catches a surface whose unit was stated wrongly
 Vessel make_vessel(const TriangleMesh& surface, const LengthUnit& unit,
                    const VesselOptions& options = {});
 

@@ -10,8 +10,8 @@ namespace braidzone {
 
 /// Where a segment first meets the wall.
 struct WallHit {
-    int triangle = -1;        ///< of the vessel's wall
-    double fraction = 0.0;    ///< along the segment, 0 at its start, 1 at its end
+    int triangle = -1;      ///< of the vessel's wall
+    double fraction = 0.0;  ///< along the segment, 0 at its start, 1 at its end
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::UnitX();  ///< unit normal of the triangle, out of the lumen
 };
@@ -34,14 +34,16 @@ public:
     WallTree& operator=(WallTree&&) noexcept;
 
     /// First intersection of the segment with the wall; none if it does not meet it. A segment
-    /// within a triangle's plane does not count as meeting that triangle.
+    /// within a triangle's plane does not count as meeting that triangle. A segment through an edge
+    /// or a point of the wall hits one of the triangles there, however the numbers round.
     std::optional<WallHit> first_hit(const Vec3& from, const Vec3& to) const;
 
     /// Nearest point of the wall (the openings' caps do not count).
     WallPoint nearest(const Vec3& point) const;
 
     /// True inside the lumen: wall and flat caps over the openings. By the parity of a ray's
-    /// crossings; a ray that grazes an edge is replaced by another one.
+    /// crossings; a ray that grazes an edge is replaced by another one. For a point on the surface
+    /// itself either answer may come.
     bool contains(const Vec3& point) const;
 
 private:

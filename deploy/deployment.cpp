@@ -101,6 +101,7 @@ public:
           stops_(std::move(wall_stops)),
           radii_(braid_.rays.size(), braid_.radius),
           displacements_(radii_.size(), 0.0),
+          spring_forces_(radii_.size(), 0.0),
           forces_(radii_.size(), 0.0),
           held_(radii_.size(), 0),
           moved_(braid_.rings.size() + 2 * reach, 0)
@@ -145,15 +146,8 @@ public:
     }
 
     const std::vector<Vec3>& nodes() const { return nodes_; }
-    /// Force with which each node presses on the wall [N]; 0 for a free one.
-    std::vector<double> contact_forces() const
-    {
-        std::vector<double> pressing(forces_.size(), 0.0);
-        for (std::size_t i = 0; i < forces_.size(); ++i) {
-            if (held_[i]) pressing[i] = std::max(0.0, forces_[i]);
-        }
-        return pressing;
-    }
+    /// Radial force of each node's springs [N], outwards; without the bending of the wires.
+    const std::vector<double>& spring_forces() const { return spring_forces_; }
 
 private:
     /// Rings on either side that the force on a ring depends on.
@@ -180,9 +174,9 @@ private:
     {
         for (int column = 0; column < lattice_.nodes_per_ring; ++column) {
             const std::size_t i = index(lattice_.node(ring, column));
-            const Vec3 springs =
-                spring_force(lattice_, coefficients_, nodes_, braid_.rings, ring, column);
-            forces_[i] = braid_.rays[i].dot(springs) +
+            spring_forces_[i] = braid_.rays[i].dot(
+                spring_force(lattice_, coefficients_, nodes_, braid_.rings, ring, column));
+            forces_[i] = spring_forces_[i] +
                          bending_force(lattice_, coefficients_.bending, radii_, ring, column);
         }
     }
@@ -213,7 +207,8 @@ private:
     std::vector<double> radii_;          ///< of each node on its ray [m]
     std::vector<Vec3> nodes_;            ///< [m]
     std::vector<double> displacements_;  ///< along the ray in the last step [m]
-    std::vector<double> forces_;         ///< along the ray, at the last step's start [N]
+    std::vector<double> spring_forces_;  ///< along the ray, at the last step's start [N]
+    std::vector<double> forces_;         ///< the same with bending [N]
     std::vector<char> held_;             ///< 1 for a node at its stop
     std::vector<char> moved_;            ///< for ring k at k + reach, so that the ends need no case
     int num_released_ = 0;
@@ -263,12 +258,12 @@ Deployment deploy(const FlowDiverter& device, const Centerline& centerline, cons
     result.rings = crimped.rings;
     result.ring_arc_length = positions;
     result.nodes = braid.nodes();
-    result.contact_force = braid.contact_forces();
     const std::vector<double> areas = node_areas(lattice, result.nodes);
     for (std::size_t i = 0; i < result.nodes.size(); ++i) {
         result.wall_distance.push_back(wall.nearest(result.nodes[i]).distance);
         result.in_contact.push_back(result.wall_distance[i] <= 0.5 * device.wire_diameter ? 1 : 0);
-        result.contact_force[i] *= device.force_scale;
+        const double pressing = std::max(0.0, device.force_scale * braid.spring_forces()[i]);
+        result.contact_force.push_back(result.in_contact[i] ? pressing : 0.0);
         result.contact_pressure.push_back(result.contact_force[i] / areas[i]);
     }
     result.max_force_residual = device.force_scale * braid.largest_residual();

@@ -17,8 +17,11 @@ struct Deployment {
     std::vector<Vec3> nodes;  ///< |N| x 3 [m]
     /// 1 where the wire touches the wall: its middle, the node, is no further than its radius.
     std::vector<char> in_contact;
-    std::vector<double> wall_distance;     ///< to the wall [m], not negative
-    std::vector<double> contact_force;     ///< with which the node presses on the wall [N]
+    std::vector<double> wall_distance;  ///< to the wall [m], not negative
+    /// With which a node in contact presses on the wall [N]: the radial force of its springs. The
+    /// bending of the wires is left out: it moves load from one node to the next, within a few
+    /// micrometres of unevenness of the wall, and adds up to nothing.
+    std::vector<double> contact_force;
     std::vector<double> contact_pressure;  ///< contact force over the node's deployed area [Pa]
     std::vector<CrossSection> rings;       ///< plane of each ring; tangent points downstream
     std::vector<double> ring_arc_length;   ///< of each ring on the centerline [m]

@@ -42,12 +42,13 @@ std::vector<DeviceModel> device_library();
 /// `surface_coefficient`, `radial_coefficient`, `reference_node_area`, `force_scale`, each of
 /// which overrides the library.
 ///
-/// Between the diameters of the library's table the braid ratio follows the fit
-/// t(D) = 0.160 + 0.957 mm / D and the coefficients the straight line through the known sizes.
+/// Between the diameters that a device file states, a value goes on as the file says: Pipeline's
+/// braid ratio by the fit t(D) = 0.160 + 0.957 mm / D, its coefficients on the straight line
+/// through the two nearest sizes, numbers of wires by steps.
 ///
-/// @param notes  receives a sentence for each value that is extrapolated or of low confidence
 /// A name that the library does not hold is a mere label if the section gives every value.
 ///
+/// @param notes  receives a sentence for each value that is extrapolated or of low confidence
 /// @throws ConfigError for an unknown device (with the nearest name), a size that is not made (with
 ///         the sizes that are, unless `any_size = true`), and what `validate` refuses
 FlowDiverter read_device(const TomlTable& section, std::vector<std::string>& notes);

@@ -16,7 +16,7 @@ namespace braidzone {
 /// Cell fields: metal_coverage, surface_porosity, surface_density_increase, pore_density [1/m^2],
 /// braid_angle [rad, from the circumference], pressure_loss_linear [Pa s/m],
 /// pressure_loss_quadratic [Pa s^2/m^2], contact_pressure [Pa], normal.
-/// Field data: `length_unit` and, as strings, the unit of each array.
+/// Field data: `length_unit` and, as strings `unit:<array>`, the unit of each array.
 /// @throws IoError if the file cannot be written
 void write_device(const std::filesystem::path& path, const Deployment& deployment,
                   const ResistanceSheet& sheet, const LengthUnit& unit);

@@ -7,12 +7,17 @@
 
 namespace braidzone {
 
-/// Writes `field.vdb`: one sparse float grid for each voxel field, with the transform from index to
-/// the vessel's length unit; values in SI (single precision: Darcy coefficients of 1e9 1/m^2 exceed
-/// the half float of 65504). Grids: void_fraction (background 1), surface_density, darcy_normal,
-/// darcy_tangential, forchheimer_normal (background 0), normal (vector), wall_distance [m, a level
-/// set, negative inside], cell_type (int; 0 outside, 1 fluid, 2 porous). Each grid's metadata holds
-/// its unit and the file's length unit.
+/// Writes `field.vdb`: one sparse grid of single precision for each voxel field, with the transform
+/// from index to the vessel's length unit; values in SI (half precision ends at 65504, Darcy
+/// coefficients are about 1e9 1/m^2). Coordinate (i, j, k) is the field's voxel (i, j, k).
+///
+/// Grids: void_fraction (background 1), surface_density, darcy_normal, darcy_tangential,
+/// forchheimer_normal (background 0) and normal (vector) with the voxels that the device touches
+/// active; wall_distance [m, negative inside] with all of the field's voxels; cell_type (0 outside,
+/// 1 fluid, 2 porous; as a float, because Debian's pyopenvdb reads no integer grids) with those of
+/// the lumen. wall_distance is in metres whatever the coordinates' unit, so it is not marked as an
+/// OpenVDB level set. Each grid's metadata holds its `unit` and the file's `length_unit`. Equal
+/// fields give equal bytes.
 /// @throws IoError if the file cannot be written
 void write_field_vdb(const std::filesystem::path& path, const PorousField& field,
                      const LengthUnit& unit);

@@ -23,10 +23,14 @@ struct FoamMesh {
     std::vector<int> owner;               ///< cell of each face
     std::vector<int> neighbour;           ///< other cell of each internal face
     std::vector<FoamPatch> patches;
-    std::vector<Vec3> cell_centres;     ///< [m]
-    std::vector<double> cell_volumes;   ///< [m^3]
+    std::vector<Vec3> cell_centres;    ///< [m]
+    std::vector<double> cell_volumes;  ///< [m^3]
     int num_cells() const { return static_cast<int>(cell_volumes.size()); }
 };
+
+/// Number of cells: one more than the largest index among owners and neighbours (a cell may own no
+/// face).
+int count_cells(const FoamMesh& mesh);
 
 /// Reads constant/polyMesh of an OpenFOAM case: ASCII or binary, plain or gzipped, 32- or 64-bit
 /// labels and scalars by the header's `arch`.

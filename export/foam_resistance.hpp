@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/wall_tree.hpp"
 #include "export/foam_mesh.hpp"
 #include "porous/resistance_sheet.hpp"
 
@@ -19,15 +18,31 @@ struct CellResistance {
     std::vector<std::string> warnings;
 };
 
+/// Half-widths of the kernel, over the local cell size h: the largest cube root of the volume among
+/// the cell nearest to the piece of the sheet and that cell's neighbours (one small cell, as
+/// meshers leave them at walls, must not narrow the kernel).
 struct FoamDepositOptions {
-    /// Half-width of the cosine kernel along the normal, over the local cell size V^(1/3).
-    double kernel_half_width = 3.0;
+    double kernel_half_width = 3.0;      ///< along the normal
+    double tangential_half_width = 2.0;  ///< along the sheet
 };
 
-/// Deposits the sheet's resistance onto a polyhedral mesh with the cosine kernel, normalised for
-/// each piece of the sheet so that the sum over cells of D times the volume equals the sheet's
-/// resistance integral.
-/// @throws GeometryError if a piece of the acting sheet has no cell within the kernel: the mesh does
+/// Deposits the sheet's resistance onto a polyhedral mesh.
+///
+/// The sheet is cut into pieces no longer than half the smallest local cell size. A piece of area
+/// dS with normal n gives to the cell with centre x and volume V, at r from the piece,
+///
+///     V dD = D_s dS W V / sum(W V),   W = phi(r.n / h; m_n) phi(|r - (r.n) n| / h; m_t)
+///
+/// where D_s is the sheet's Darcy coefficient integrated along the normal, phi the cosine kernel
+/// and the sum runs over the cells that the kernel reaches through faces from the nearest one: a
+/// lumen on the other side of a thin wall gets nothing. So the sum of D V over the cells is the
+/// integral of D_s over the sheet to round-off, also where the wall cuts the kernel off. F alike.
+///
+/// A stock solver under-predicts the pressure drop of a thin layer by its velocity wiggles: about 1
+/// to 6 % for six cells across (m_n = 3), half of that for eight.
+///
+/// @throws GeometryError if a piece of the acting sheet has no cell within the kernel: the mesh
+/// does
 ///         not hold the device (another position or unit?)
 CellResistance deposit(const ResistanceSheet& sheet, const FoamMesh& mesh,
                        const FoamDepositOptions& options = {});

@@ -3,29 +3,59 @@
 #include "export/foam_resistance.hpp"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace braidzone {
 
 /// Cells with one resistance: a Darcy-Forchheimer zone.
 struct FoamZone {
-    std::vector<int> cells;     ///< increasing
-    double darcy = 0.0;         ///< volume-weighted mean along the normal [1/m^2]
-    double forchheimer = 0.0;   ///< [1/m]
-    Vec3 normal = Vec3::UnitX();///< volume- and resistance-weighted mean, unit
-    double volume = 0.0;        ///< [m^3]
+    std::vector<int> cells;       ///< increasing
+    double darcy = 0.0;           ///< volume-weighted mean along the normal [1/m^2]
+    double forchheimer = 0.0;     ///< [1/m]
+    Vec3 normal = Vec3::UnitX();  ///< volume- and resistance-weighted mean, unit
+    double volume = 0.0;          ///< [m^3]
 };
 
 /// Groups cells by the direction of the normal and the logarithm of the resistance. Deterministic;
 /// n and -n are the same direction. The sum of D times volume is kept.
-/// @param most_zones  upper limit; a solver's cost grows with zones times cells (64: not noticeable,
+///
+/// Principal direction divisive partitioning (Boley 1998, doi 10.1023/A:1009740529316): the group
+/// with the largest error is cut in two, across its widest direction through its mean, until there
+/// are `most_zones` or no error is left. A cell is the point
+///
+///     (ln D, |1 - r| / max(1, r) n n^T)      weighted by D V,
+///
+/// r the tangential ratio: the distance of two cells is the relative difference of their resistance
+/// tensors D (r I + (1 - r) n n^T), to first order. With r = 1 the normal does not count. Where
+/// only the Forchheimer coefficient acts, it takes the place of D.
+///
+/// @param most_zones  upper limit; a solver's cost grows with zones times cells (64: not
+/// noticeable,
 ///        256: +25 %)
 std::vector<FoamZone> cluster(const CellResistance& resistance, const FoamMesh& mesh,
                               int most_zones = 64);
 
-/// Writes the zones into constant/polyMesh/cellZones (those of the mesh are kept, FD_* of an earlier
-/// call replaced) and constant/fvOptions (`explicitPorositySource`, DarcyForchheimer), with a copy
-/// for openfoam.org's constant/fvModels.
+/// Name of zone i: "FD_0000", ...
+std::string foam_zone_name(std::size_t zone);
+
+/// Sum over the zones of D times the volume [m].
+double resistance_integral(const std::vector<FoamZone>& zones);
+
+/// Text of constant/fvOptions: an `explicitPorositySource` with DarcyForchheimer for each zone; e1
+/// of its axes is the normal.
+///
+///     S = -(mu D + 1/2 rho |U| F) U,   D = (D_n, r D_n, r D_n) along (e1, e2, e3)
+///
+/// The same text is read by openfoam.com (v1912: run; later: by its source) and by openfoam.org (8
+/// to 14: by its source), there also as constant/fvModels.
+/// @param object  "fvOptions" or "fvModels"
+std::string porous_sources(const std::vector<FoamZone>& zones, double tangential_ratio,
+                           const std::string& object);
+
+/// Writes the zones into constant/polyMesh/cellZones (those of the mesh are kept, FD_* of an
+/// earlier call replaced) and constant/fvOptions (`explicitPorositySource`, DarcyForchheimer), with
+/// a copy for openfoam.org's constant/fvModels.
 /// @throws IoError if a file cannot be read or written
 void write_foam_zones(const std::filesystem::path& foam_case, const std::vector<FoamZone>& zones,
                       double tangential_ratio);

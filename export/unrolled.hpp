@@ -8,8 +8,8 @@
 
 namespace braidzone {
 
-/// Writes `unrolled.vtp`: the cells of `device.vtp` with the same fields, on the unfolded surface of
-/// the force-free device: x around (0 to pi D0), y along from the distal end (Zavodszky et al.
+/// Writes `unrolled.vtp`: the cells of `device.vtp` with the same fields, on the unfolded surface
+/// of the force-free device: x around (0 to pi D0), y along from the distal end (Zavodszky et al.
 /// 2020, Figures 8 and 9), in the vessel's length unit. Cells across the cut keep their shape.
 /// @throws IoError if the file cannot be written
 void write_unrolled(const std::filesystem::path& path, const Deployment& deployment,

@@ -1,30 +1,19 @@
 #pragma once
 
-#include "core/wall_tree.hpp"
+#include "core/vessel.hpp"
 #include "porous/resistance_sheet.hpp"
+#include "porous/voxel_grid.hpp"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace braidzone {
 
-/// A regular grid of cubic voxels. Voxel (i, j, k) has its centre at
-/// origin + spacing (i, j, k) and index i + nx (j + ny k).
-struct VoxelGrid {
-    Vec3 origin = Vec3::Zero();  ///< centre of voxel (0, 0, 0) [m]
-    double spacing = 0.0;        ///< [m]
-    std::array<int, 3> dims{};   ///< nx, ny, nz
-
-    Vec3 centre(int i, int j, int k) const { return origin + spacing * Vec3(i, j, k); }
-    std::size_t num_voxels() const
-    {
-        return static_cast<std::size_t>(dims[0]) * static_cast<std::size_t>(dims[1]) *
-               static_cast<std::size_t>(dims[2]);
-    }
+enum class CellType : std::uint8_t {
+    outside = 0,  ///< centre not in the lumen
+    fluid = 1,
+    porous = 2,  ///< in the lumen, with resistance
 };
-
-enum class CellType : std::uint8_t { outside = 0, fluid = 1, porous = 2 };
 
 /// The device's resistance in voxels. Coefficients are held for the voxels that the device
 /// touches only, in the order of their index; the wall distance and the cell type for all.
@@ -57,15 +46,21 @@ struct DepositOptions {
 ///
 ///     w = prod_i phi(r_i / h),  phi(r) = (1 + cos(pi r / m)) / (2 m)  for |r| < m,
 ///
-/// normalised over fluid voxels (centre in the lumen). phi sums to 1 over the integers for any
-/// shift, so sums over voxels equal integrals over the sheet to round-off, and the integral along
-/// the normal equals the sheet's value whatever the orientation, position and voxel size.
+/// normalised over fluid voxels (centre in the lumen), so that sums over voxels equal integrals
+/// over the sheet to round-off. Because phi sums to 1 over the integers for any shift and
+/// integrates to 1, the mean over a sheet of the integral along its normal is the sheet's value
+/// whatever the orientation, position and voxel size; single lines scatter about it, less for a
+/// wider kernel.
+///
+/// Metal, area and normal are deposited for the whole device, resistance where it acts. The grid
+/// covers the device with a margin of the kernel and three voxels; its centres lie on multiples of
+/// the spacing, so that the voxels of different devices in one vessel coincide.
 ///
 /// The result does not depend on the number of threads.
 ///
-/// @throws ConfigError if the grid would exceed 2e9 voxels; GeometryError if a piece of the sheet
-///         has no fluid voxel within the kernel
-PorousField deposit(const ResistanceSheet& sheet, const WallTree& wall,
+/// @throws ConfigError if the spacing or the kernel is not positive or the grid would exceed 2e9
+///         voxels; GeometryError if a piece of the sheet has no fluid voxel within the kernel
+PorousField deposit(const ResistanceSheet& sheet, const Vessel& vessel,
                     const DepositOptions& options = {});
 
 /// Sum of the normal Darcy coefficient times the voxel volume [m].

@@ -1,0 +1,260 @@
+#include "cli/case_file.hpp"
+
+#include "core/error.hpp"
+#include "core/nearest_name.hpp"
+#include "core/toml_reader.hpp"
+#include "deploy/device_library.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace braidzone {
+namespace {
+
+double require_positive(const TomlTable& table, const std::string& key, double value,
+                        double highest = std::numeric_limits<double>::infinity())
+{
+    if (value > 0.0 && value <= highest) return value;
+    throw ConfigError(fmt::format("{} = {:.6g} is out of range; it must be positive{}",
+                                  table.where(key), value,
+                                  value > highest ? fmt::format(", {:.6g} at most", highest) : ""));
+}
+
+double require_not_negative(const TomlTable& table, const std::string& key, double value)
+{
+    if (value >= 0.0) return value;
+    throw ConfigError(fmt::format("{} = {:.6g} is negative", table.where(key), value));
+}
+
+double positive_or(const TomlTable& table, const std::string& key, Dimension dimension,
+                   double fallback)
+{
+    const double value = table.quantity_or(key, dimension, fallback);
+    if (value > 0.0) return value;
+    throw ConfigError(fmt::format("{} = {:.6g} {} is out of range; it must be positive",
+                                  table.where(key), value, si_unit(dimension)));
+}
+
+int integer_in_range(const TomlTable& table, const std::string& key, int fallback, int lowest,
+                     int highest)
+{
+    const long value = table.integer_or(key, fallback);
+    if (value >= lowest && value <= highest) return static_cast<int>(value);
+    throw ConfigError(fmt::format("{} = {} is out of range; allowed are {} to {}", table.where(key),
+                                  value, lowest, highest));
+}
+
+/// A name out of a list.
+std::string one_of(const TomlTable& table, const std::string& key, const std::string& fallback,
+                   const std::vector<std::string>& allowed)
+{
+    const std::string name = table.text_or(key, fallback);
+    if (std::find(allowed.begin(), allowed.end(), name) != allowed.end()) return name;
+    throw ConfigError(fmt::format("{} = \"{}\" is not known{}", table.where(key), name,
+                                  did_you_mean(name, allowed)));
+}
+
+std::filesystem::path read_path(const TomlTable& table, const std::string& key)
+{
+    const std::string text = table.text(key);
+    if (text.empty())
+        throw ConfigError(fmt::format("{} is empty; expected is a file", table.where(key)));
+    return (table.folder() / text).lexically_normal();
+}
+
+std::optional<CenterlineEnd> read_end(const TomlTable& table, const std::string& key)
+{
+    if (!table.has(key)) return std::nullopt;
+    if (table.is_array(key)) return table.point(key);
+    const long opening = table.integer(key);
+    if (opening < 0 || opening > 1000) {
+        throw ConfigError(fmt::format("{} = {} is no number of an opening; the largest is 0",
+                                      table.where(key), opening));
+    }
+    return static_cast<int>(opening);
+}
+
+VesselSource read_vessel(const TomlTable& table)
+{
+    VesselSource vessel;
+    vessel.surface = read_path(table, "surface");
+    const std::string unit = table.text("length_unit");
+    try {
+        vessel.unit = length_unit(unit);
+    } catch (const ConfigError& error) {
+        throw ConfigError(fmt::format("{} = {}", table.where("length_unit"), error.what()));
+    }
+    vessel.repair = table.boolean_or("repair", false);
+    if (table.has("centerline")) vessel.centerline = read_path(table, "centerline");
+    vessel.centerline_line = integer_in_range(table, "centerline_line", -1, -1, 1000000);
+    vessel.reverse_centerline = table.boolean_or("reverse_centerline", false);
+    vessel.from = read_end(table, "from");
+    vessel.to = read_end(table, "to");
+
+    if (vessel.from.has_value() != vessel.to.has_value()) {
+        throw ConfigError(
+            fmt::format("{} is given without its counterpart; a computed centerline "
+                        "needs vessel.from and vessel.to",
+                        table.where(vessel.from ? "from" : "to")));
+    }
+    if (vessel.centerline && vessel.from) {
+        throw ConfigError(
+            fmt::format("{} is for a computed centerline, but vessel.centerline "
+                        "names a file; keep one of them",
+                        table.where("from")));
+    }
+    for (const std::string key : {"centerline_line", "reverse_centerline"}) {
+        if (!vessel.centerline && table.has(key)) {
+            throw ConfigError(
+                fmt::format("{} is for a centerline from a file, but "
+                            "vessel.centerline is missing",
+                            table.where(key)));
+        }
+    }
+    return vessel;
+}
+
+PlaceOnCenterline read_place(const TomlTable& table, const std::string& key)
+{
+    if (table.is_array(key)) return table.point(key);
+    return table.quantity(key, Dimension::length);
+}
+
+ReleaseSchedule read_schedule(const TomlTable& table)
+{
+    ReleaseSchedule schedule;
+    for (const TomlTable& window : table.tables("push_pull")) {
+        schedule.windows.push_back({window.quantity("from", Dimension::length),
+                                    window.quantity("to", Dimension::length),
+                                    window.number("spacing")});
+    }
+    try {
+        validate(schedule);
+    } catch (const ConfigError& error) {
+        throw ConfigError(fmt::format("{}: {}", table.where("push_pull"), error.what()));
+    }
+    return schedule;
+}
+
+DeployOptions read_deploy_options(const TomlTable& table)
+{
+    DeployOptions options;
+    // At 1 the scheme is at the limit of stability.
+    options.time_step_ratio = require_positive(
+        table, "time_step_ratio", table.number_or("time_step_ratio", options.time_step_ratio), 1.0);
+    options.damping = positive_or(table, "damping", Dimension::damping, options.damping);
+    options.bending_ratio = require_not_negative(
+        table, "bending_ratio", table.number_or("bending_ratio", options.bending_ratio));
+    options.release_interval =
+        integer_in_range(table, "release_interval", options.release_interval, 1, 1000000);
+    options.residual_tolerance =
+        require_positive(table, "residual_tolerance",
+                         table.number_or("residual_tolerance", options.residual_tolerance), 1.0);
+    options.max_settling_steps =
+        integer_in_range(table, "max_settling_steps", options.max_settling_steps, 1, 1000000000);
+    return options;
+}
+
+Fluid read_fluid(const TomlTable& table)
+{
+    Fluid fluid;
+    fluid.density = positive_or(table, "density", Dimension::density, fluid.density);
+    fluid.viscosity =
+        positive_or(table, "viscosity", Dimension::dynamic_viscosity, fluid.viscosity);
+    return fluid;
+}
+
+ResistanceLaw read_law(const TomlTable& table)
+{
+    const std::string name = one_of(table, "law", law_name(BraidStokesLaw{}),
+                                    {law_name(BraidStokesLaw{}), law_name(ConstantLaw{})});
+    if (name == law_name(ConstantLaw{})) {
+        ConstantLaw law;
+        law.loss.linear =
+            require_not_negative(table, "pressure_loss_linear",
+                                 table.quantity("pressure_loss_linear", Dimension::linear_loss));
+        law.loss.quadratic = require_not_negative(
+            table, "pressure_loss_quadratic",
+            table.quantity_or("pressure_loss_quadratic", Dimension::quadratic_loss, 0.0));
+        return law;
+    }
+    return BraidStokesLaw{.inertia = table.boolean_or("inertia", BraidStokesLaw{}.inertia)};
+}
+
+SheetOptions read_sheet_options(const TomlTable& table)
+{
+    SheetOptions options;
+    options.tangential_ratio = require_not_negative(
+        table, "tangential_ratio", table.number_or("tangential_ratio", options.tangential_ratio));
+    const bool whole = one_of(table, "region", "free", {"free", "whole"}) == "whole";
+    options.region = whole ? ResistanceRegion::whole_device : ResistanceRegion::free_of_wall;
+    return options;
+}
+
+DepositOptions read_grid(const TomlTable& table)
+{
+    DepositOptions options;
+    options.spacing = positive_or(table, "spacing", Dimension::length, options.spacing);
+    options.kernel_half_width =
+        integer_in_range(table, "kernel_half_width", options.kernel_half_width, 1, 100);
+    return options;
+}
+
+FoamCaseOptions read_foam_options(const TomlTable& table)
+{
+    FoamCaseOptions options;
+    options.inlet_velocity =
+        positive_or(table, "inlet_velocity", Dimension::velocity, options.inlet_velocity);
+    options.coarse_cell = positive_or(table, "coarse_cell", Dimension::length, options.coarse_cell);
+    options.surface_refinement =
+        integer_in_range(table, "surface_refinement", options.surface_refinement, 0, 8);
+    options.device_refinement =
+        integer_in_range(table, "device_refinement", options.device_refinement, 0, 8);
+    return options;
+}
+
+Exports read_exports(const std::vector<TomlTable>& tables)
+{
+    if (tables.empty()) return {.vtk = true, .openvdb = true, .openfoam = FoamCaseOptions{}};
+    Exports exports;
+    for (const TomlTable& table : tables) {
+        table.text("format");  // required here, without a default
+        const std::string format = one_of(table, "format", "", {"vtk", "openvdb", "openfoam"});
+        if ((format == "vtk" && exports.vtk) || (format == "openvdb" && exports.openvdb) ||
+            (format == "openfoam" && exports.openfoam)) {
+            throw ConfigError(
+                fmt::format("{} = \"{}\" is given twice", table.where("format"), format));
+        }
+        exports.vtk |= format == "vtk";
+        exports.openvdb |= format == "openvdb";
+        if (format == "openfoam") exports.openfoam = read_foam_options(table);
+    }
+    return exports;
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+    const TomlTable root = TomlTable::read_file(file, overrides);
+    Case job;
+    job.file = std::filesystem::absolute(file).lexically_normal();
+    job.vessel = read_vessel(root.table("vessel"));
+    job.device = read_device(root.table("device"), job.device_notes);
+    const TomlTable deployment = root.table("deployment");
+    job.landing_distal = read_place(deployment, "landing_distal");
+    job.schedule = read_schedule(deployment);
+    job.deployment = read_deploy_options(deployment);
+    job.fluid = read_fluid(root.table_or_empty("fluid"));
+    const TomlTable porous = root.table_or_empty("porous");
+    job.law = read_law(porous);
+    job.sheet = read_sheet_options(porous);
+    job.deposit = read_grid(root.table_or_empty("grid"));
+    job.exports = read_exports(root.tables("export"));
+    root.finish();
+    return job;
+}
+
+}  // namespace braidzone

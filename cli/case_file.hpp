@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/fluid.hpp"
+#include "core/length_unit.hpp"
+#include "core/vector.hpp"
+#include "deploy/deployment.hpp"
+#include "deploy/flow_diverter.hpp"
+#include "deploy/release_schedule.hpp"
+#include "export/foam_case.hpp"
+#include "porous/porous_field.hpp"
+#include "porous/resistance_law.hpp"
+#include "porous/resistance_sheet.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace braidzone {
+
+/// An end of a centerline: the number of an opening (0: the largest), or a point [m].
+using CenterlineEnd = std::variant<int, Vec3>;
+
+/// Where a vessel comes from: [vessel].
+struct VesselSource {
+    std::filesystem::path surface;
+    LengthUnit unit;
+    bool repair = false;  ///< repair a defective surface instead of refusing it
+    std::optional<std::filesystem::path> centerline;  ///< computed if absent
+    int centerline_line = -1;         ///< which line of the file; -1: there must be one only
+    bool reverse_centerline = false;  ///< the file's first point is the distal end
+    /// Proximal and distal end of a computed centerline. Absent: the two openings, if there are
+    /// two.
+    std::optional<CenterlineEnd> from, to;
+};
+
+/// A place along the vessel: an arc length of the centerline [m], or a point [m], which stands for
+/// the nearest arc length.
+using PlaceOnCenterline = std::variant<double, Vec3>;
+
+/// What to write besides the device's own files: [[export]].
+struct Exports {
+    bool vtk = false;                         ///< field.vti
+    bool openvdb = false;                     ///< field.vdb
+    std::optional<FoamCaseOptions> openfoam;  ///< openfoam/
+};
+
+/// A case file's content, in SI units.
+struct Case {
+    std::filesystem::path file;
+    VesselSource vessel;
+    FlowDiverter device;
+    std::vector<std::string> device_notes;  ///< values that are extrapolated or uncertain
+    PlaceOnCenterline landing_distal = 0.0;
+    ReleaseSchedule schedule;
+    DeployOptions deployment;
+    Fluid fluid;
+    ResistanceLaw law;
+    SheetOptions sheet;
+    DepositOptions deposit;
+    Exports exports;
+};
+
+/// Reads a case file strictly: section 1 of the README lists its keys.
+///
+/// @param overrides  "section.key=value", which win over the file
+/// @throws IoError if the file cannot be read; ConfigError, with file, line and key, for anything
+///         in it that is unknown, missing, of the wrong type or unit, or out of range
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+}  // namespace braidzone

@@ -1,0 +1,97 @@
+#include "cli/case_geometry.hpp"
+#include "cli/commands.hpp"
+#include "core/triangle_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace braidzone {
+namespace {
+
+void print_vessel(const Case& job, const Vessel& vessel)
+{
+    const Vec3 size = bounding_box(vessel.wall).upper - bounding_box(vessel.wall).lower;
+    fmt::print("vessel      {}\n", job.vessel.surface.string());
+    fmt::print("  {} triangles, {:.4g} x {:.4g} x {:.4g} mm, {} openings\n",
+               vessel.wall.triangles.size(), 1e3 * size.x(), 1e3 * size.y(), 1e3 * size.z(),
+               vessel.openings.size());
+    fmt::print("{}\n", describe_openings(vessel));
+    for (const std::string& note : vessel.notes)
+        fmt::print("  note: {}\n", note);
+}
+
+void print_centerline(const Case& job, const Centerline& centerline, const Vessel& vessel)
+{
+    const auto [thinnest, widest] =
+        std::minmax_element(centerline.sections.begin(), centerline.sections.end(),
+                            [](const CrossSection& first, const CrossSection& second) {
+                                return first.inscribed_radius < second.inscribed_radius;
+                            });
+    fmt::print("centerline  {}\n",
+               job.vessel.centerline ? job.vessel.centerline->string() : "computed");
+    fmt::print(
+        "  {:.4g} mm long, from opening {} to opening {}; inscribed diameter {:.4g} to {:.4g} "
+        "mm\n",
+        1e3 * centerline.length(), nearest_opening(vessel, centerline.sections.front().origin),
+        nearest_opening(vessel, centerline.sections.back().origin),
+        2e3 * thinnest->inscribed_radius, 2e3 * widest->inscribed_radius);
+}
+
+void print_device(const Case& job, const Deployment& deployment)
+{
+    const FlowDiverter& device = job.device;
+    fmt::print("device      {} {:.4g} x {:.4g} mm\n", device.name, 1e3 * device.nominal_diameter,
+               1e3 * device.nominal_length);
+    fmt::print("  {} wires of {:.4g} um, braid ratio {:.4g}, catheter {:.4g} mm\n",
+               device.num_wires, 1e6 * device.wire_diameter, device.braid_ratio,
+               1e3 * device.catheter_diameter);
+    for (const std::string& note : job.device_notes)
+        fmt::print("  note: {}\n", note);
+
+    const auto& places = deployment.ring_arc_length;
+    double narrowest = deployment.rings.front().inscribed_radius, widest = narrowest;
+    for (const CrossSection& ring : deployment.rings) {
+        narrowest = std::min(narrowest, ring.inscribed_radius);
+        widest = std::max(widest, ring.inscribed_radius);
+    }
+    fmt::print(
+        "landing     {:.4g} to {:.4g} mm along the centerline, where the vessel is {:.4g} to "
+        "{:.4g} mm wide\n",
+        1e3 * places.back(), 1e3 * places.front(), 2e3 * narrowest, 2e3 * widest);
+}
+
+/// Voxels of the box around the device; the field's own grid has a small margin.
+double expected_voxels(const Deployment& deployment, double spacing)
+{
+    Vec3 lower = deployment.nodes.front(), upper = lower;
+    for (const Vec3& node : deployment.nodes) {
+        lower = lower.cwiseMin(node);
+        upper = upper.cwiseMax(node);
+    }
+    return ((upper - lower) / spacing).array().ceil().prod();
+}
+
+}  // namespace
+
+void check_case(const std::filesystem::path& case_file, const CommonOptions& options)
+{
+    const Case job = read_case(case_file, options.overrides);
+    Progress progress(options.quiet);
+    const Chain chain = run_chain(job, Stage::deploy, progress);
+    if (options.quiet) return;
+
+    print_vessel(job, chain.vessel);
+    print_centerline(job, chain.centerline, chain.vessel);
+    print_device(job, chain.deployment);
+    const BraidLattice& lattice = chain.deployment.lattice;
+    fmt::print(
+        "cost        {} rings of {} nodes, {} steps in {:.2g} s; about {:.2g} million voxels of "
+        "{:.4g} mm\n",
+        lattice.num_rings, lattice.nodes_per_ring, chain.deployment.steps,
+        progress.seconds("deploy"), 1e-6 * expected_voxels(chain.deployment, job.deposit.spacing),
+        1e3 * job.deposit.spacing);
+}
+
+}  // namespace braidzone

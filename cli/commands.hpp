@@ -1,0 +1,50 @@
+#pragma once
+
+#include "cli/pipeline.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace braidzone {
+
+/// Options that the verbs share.
+struct CommonOptions {
+    std::optional<std::filesystem::path> output;
+    std::vector<std::string> overrides;  ///< "section.key=value"
+    bool quiet = false;
+    bool force = false;
+};
+
+/// run, deploy, porous, export: computes a case as far as `last` and writes the results.
+/// `output`: the folder; default `<case name>.out` beside the case.
+void run_case(const std::filesystem::path& case_file, Stage last, const CommonOptions& options);
+
+/// export --onto: applies the device of a case to an existing OpenFOAM mesh.
+void apply_case_to_foam(const std::filesystem::path& case_file,
+                        const std::filesystem::path& foam_case, const CommonOptions& options);
+
+/// check: reads and validates a case, deploys its device in memory, and prints what it found.
+void check_case(const std::filesystem::path& case_file, const CommonOptions& options);
+
+struct CenterlineCommand {
+    std::filesystem::path surface;
+    std::string length_unit = "mm";
+    /// "0", an opening's number, or a point "1 mm, 2 mm, 3 mm"; both empty: the two openings.
+    std::string from, to;
+    bool repair = false;
+};
+
+/// centerline: computes and writes the centerline of a surface.
+/// `output`: the file; default `<surface name>_centerline.vtp` beside the surface.
+void write_centerline_of(const CenterlineCommand& command, const CommonOptions& options);
+
+/// phantom: makes an idealised vessel; writes vessel.stl and centerline.vtp in millimetres.
+/// `output`: the folder; default: that of the parameter file.
+void write_phantom(const std::filesystem::path& parameters, const CommonOptions& options);
+
+/// devices: lists the device library, or shows one device with the sources of its values.
+void show_devices(const std::string& name);
+
+}  // namespace braidzone

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace braidzone {
+
+/// SHA-256 of a file's content (FIPS 180-4), as 64 hexadecimal digits.
+/// @throws IoError if the file cannot be read
+std::string sha256_of_file(const std::filesystem::path& path);
+
+}  // namespace braidzone

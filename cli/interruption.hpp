@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+
+namespace braidzone {
+
+/// Makes SIGINT, SIGTERM and SIGHUP remove unfinished output before they end the program.
+///
+/// A thread of its own waits for them, since nothing that removes folders may be called in a signal
+/// handler. Call it once, before any other thread is started: they inherit the blocked signals.
+void remove_unfinished_output_on_signal();
+
+/// An unfinished file or folder: removed with this object, or by a signal, unless it was finished.
+class UnfinishedOutput {
+public:
+    explicit UnfinishedOutput(std::filesystem::path path);
+    ~UnfinishedOutput();
+    UnfinishedOutput(const UnfinishedOutput&) = delete;
+    UnfinishedOutput& operator=(const UnfinishedOutput&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+    /// Moves the output to its place by `move`, which no signal interrupts; from then on it stays.
+    template <typename Move>
+    void finish(const Move& move)
+    {
+        const std::scoped_lock no_signal(mutex());
+        move();
+        forget();
+    }
+
+private:
+    static std::mutex& mutex();
+    void forget();  ///< with the mutex held
+    std::filesystem::path path_;
+};
+
+}  // namespace braidzone

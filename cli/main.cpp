@@ -1,0 +1,177 @@
+#include "cli/commands.hpp"
+#include "cli/interruption.hpp"
+#include "core/error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <functional>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace braidzone;
+
+/// What the command line asks for.
+struct Arguments {
+    CommonOptions common;
+    int num_threads = 0;  ///< 0: as many as there are cores
+    fs::path case_file;
+    fs::path foam_case;
+    fs::path phantom_file;
+    CenterlineCommand centerline;
+    std::string device_name;
+    std::function<void()> command;
+};
+
+void add_output_options(CLI::App& verb, CommonOptions& common, const std::string& output_help)
+{
+    verb.add_option("--output", common.output, output_help);
+    verb.add_flag("--force", common.force, "replace output that no earlier run wrote");
+}
+
+void add_common_options(CLI::App& verb, Arguments& arguments)
+{
+    verb.add_option("--threads", arguments.num_threads, "most threads to use")
+        ->check(CLI::PositiveNumber);
+    verb.add_flag("--quiet", arguments.common.quiet, "print neither progress nor a summary");
+}
+
+void add_overrides(CLI::App& verb, CommonOptions& common)
+{
+    verb.add_option("--set", common.overrides, "section.key=value, wins over the file; repeatable")
+        ->allow_extra_args(false);
+}
+
+/// A verb that works on a case file.
+CLI::App& add_case_verb(CLI::App& app, Arguments& arguments, const std::string& name,
+                        const std::string& help, std::function<void()> command)
+{
+    CLI::App& verb = *app.add_subcommand(name, help);
+    verb.add_option("CASE", arguments.case_file, "case file (TOML)")->required();
+    add_common_options(verb, arguments);
+    add_overrides(verb, arguments.common);
+    verb.callback([&arguments, command = std::move(command)] { arguments.command = command; });
+    return verb;
+}
+
+void add_run_verbs(CLI::App& app, Arguments& arguments)
+{
+    const auto add = [&](const std::string& name, const std::string& help, Stage last) {
+        CLI::App& verb = add_case_verb(app, arguments, name, help, [&arguments, last] {
+            run_case(arguments.case_file, last, arguments.common);
+        });
+        add_output_options(verb, arguments.common,
+                           "folder for the results (default: CASE.out beside the case)");
+    };
+    add("run", "deploy the device, compute its flow resistance, write everything", Stage::exports);
+    add("deploy", "the deployment alone", Stage::deploy);
+    add("porous", "the deployment and its flow resistance", Stage::porous);
+
+    CLI::App& export_verb = add_case_verb(
+        app, arguments, "export", "write the exports again, or apply the device to a mesh",
+        [&arguments] {
+            if (arguments.foam_case.empty()) {
+                run_case(arguments.case_file, Stage::exports, arguments.common);
+            } else {
+                apply_case_to_foam(arguments.case_file, arguments.foam_case, arguments.common);
+            }
+        });
+    add_output_options(export_verb, arguments.common,
+                       "folder for the results (default: CASE.out beside the case)");
+    export_verb
+        .add_option("--onto", arguments.foam_case,
+                    "existing OpenFOAM case: apply the device to its mesh instead")
+        ->excludes("--output");
+    add_case_verb(app, arguments, "check",
+                  "read and validate a case and print what was found; write nothing",
+                  [&arguments] { check_case(arguments.case_file, arguments.common); });
+}
+
+void add_vessel_verbs(CLI::App& app, Arguments& arguments)
+{
+    CLI::App& centerline = *app.add_subcommand("centerline", "compute a vessel's centerline");
+    CenterlineCommand& command = arguments.centerline;
+    centerline.add_option("VESSEL", command.surface, "surface: STL, VTP, VTK, PLY or OBJ")
+        ->required();
+    centerline.add_option("--length-unit", command.length_unit, "of the surface: m, cm, mm, um")
+        ->capture_default_str();
+    centerline.add_option("--from", command.from,
+                          "proximal end: an opening's number or \"x mm, y mm, z mm\"");
+    centerline.add_option("--to", command.to, "distal end, alike");
+    centerline.add_flag("--repair", command.repair, "repair a defective surface");
+    add_output_options(centerline, arguments.common,
+                       "file (default: VESSEL_centerline.vtp beside the surface)");
+    add_common_options(centerline, arguments);
+    centerline.callback([&arguments] {
+        arguments.command = [&arguments] {
+            write_centerline_of(arguments.centerline, arguments.common);
+        };
+    });
+
+    CLI::App& phantom = *app.add_subcommand("phantom", "make an idealised vessel");
+    phantom.add_option("PHANTOM", arguments.phantom_file, "its parameters (TOML)")->required();
+    add_output_options(phantom, arguments.common,
+                       "folder for vessel.stl and centerline.vtp (default: that of PHANTOM)");
+    add_common_options(phantom, arguments);
+    add_overrides(phantom, arguments.common);
+    phantom.callback([&arguments] {
+        arguments.command = [&arguments] {
+            write_phantom(arguments.phantom_file, arguments.common);
+        };
+    });
+}
+
+void add_devices_verb(CLI::App& app, Arguments& arguments)
+{
+    CLI::App& devices = *app.add_subcommand("devices", "list the device library, or show a device");
+    devices.add_option("NAME", arguments.device_name, "device to show");
+    devices.callback([&arguments] {
+        arguments.command = [&arguments] { show_devices(arguments.device_name); };
+    });
+}
+
+int run(int argc, char** argv)
+{
+    CLI::App app("Braidzone prepares the CFD of vessels treated with braided flow diverters.",
+                 "braidzone");
+    app.set_version_flag("--version", BRAIDZONE_VERSION);
+    app.require_subcommand(1);
+    Arguments arguments;
+    add_run_verbs(app, arguments);
+    add_vessel_verbs(app, arguments);
+    add_devices_verb(app, arguments);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+
+    std::optional<tbb::global_control> thread_limit;
+    if (arguments.num_threads > 0) {
+        thread_limit.emplace(tbb::global_control::max_allowed_parallelism,
+                             static_cast<std::size_t>(arguments.num_threads));
+    }
+    arguments.command();
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    remove_unfinished_output_on_signal();
+    try {
+        return run(argc, argv);
+    } catch (const Error& error) {
+        fmt::print(stderr, "braidzone: {}\n", error.what());
+        return error.exit_status();
+    } catch (const fs::filesystem_error& error) {
+        fmt::print(stderr, "braidzone: {}\n", error.what());
+        return IoError("").exit_status();
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "braidzone: unexpected: {}\n", error.what());
+        return 1;
+    }
+}

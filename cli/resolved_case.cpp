@@ -1,0 +1,168 @@
+#include "cli/resolved_case.hpp"
+
+#include "core/quantity.hpp"
+
+#include <fmt/format.h>
+
+namespace braidzone {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json length(double value)
+{
+    return format_quantity(value, Dimension::length);
+}
+
+Json point(const Vec3& value)
+{
+    return {length(value.x()), length(value.y()), length(value.z())};
+}
+
+Json centerline_end(const CenterlineEnd& end)
+{
+    if (const int* opening = std::get_if<int>(&end)) return *opening;
+    return point(std::get<Vec3>(end));
+}
+
+Json vessel_section(const VesselSource& vessel)
+{
+    Json section = {{"surface", vessel.surface.string()},
+                    {"length_unit", vessel.unit.name},
+                    {"repair", vessel.repair}};
+    if (vessel.centerline) {
+        section["centerline"] = vessel.centerline->string();
+        section["centerline_line"] = vessel.centerline_line;
+        section["reverse_centerline"] = vessel.reverse_centerline;
+    }
+    if (vessel.from) section["from"] = centerline_end(*vessel.from);
+    if (vessel.to) section["to"] = centerline_end(*vessel.to);
+    return section;
+}
+
+Json device_section(const FlowDiverter& device)
+{
+    return {
+        {"name", device.name},
+        {"diameter", length(device.nominal_diameter)},
+        {"length", length(device.nominal_length)},
+        {"any_size", true},  // the size was checked when the case was read
+        {"num_wires", device.num_wires},
+        {"wire_diameter", length(device.wire_diameter)},
+        {"braid_ratio", device.braid_ratio},
+        {"catheter_diameter", length(device.catheter_diameter)},
+        {"surface_coefficient", format_quantity(device.surface_coefficient, Dimension::stiffness)},
+        {"radial_coefficient", format_quantity(device.radial_coefficient, Dimension::stiffness)},
+        {"reference_node_area", format_quantity(device.reference_node_area, Dimension::area)},
+        {"force_scale", device.force_scale}};
+}
+
+Json deployment_section(const Case& job)
+{
+    const DeployOptions& options = job.deployment;
+    Json section;
+    if (const double* arc_length = std::get_if<double>(&job.landing_distal)) {
+        section["landing_distal"] = length(*arc_length);
+    } else {
+        section["landing_distal"] = point(std::get<Vec3>(job.landing_distal));
+    }
+    section["time_step_ratio"] = options.time_step_ratio;
+    section["damping"] = format_quantity(options.damping, Dimension::damping);
+    section["bending_ratio"] = options.bending_ratio;
+    section["release_interval"] = options.release_interval;
+    section["residual_tolerance"] = options.residual_tolerance;
+    section["max_settling_steps"] = options.max_settling_steps;
+    Json windows = Json::array();
+    for (const PushPull& window : job.schedule.windows) {
+        windows.push_back({{"from", length(window.from)},
+                           {"to", length(window.to)},
+                           {"spacing", window.spacing}});
+    }
+    if (!windows.empty()) section["push_pull"] = windows;
+    return section;
+}
+
+Json porous_section(const Case& job)
+{
+    Json section = {{"law", law_name(job.law)}};
+    if (const auto* braid_stokes = std::get_if<BraidStokesLaw>(&job.law)) {
+        section["inertia"] = braid_stokes->inertia;
+    } else if (const auto* constant = std::get_if<ConstantLaw>(&job.law)) {
+        section["pressure_loss_linear"] =
+            format_quantity(constant->loss.linear, Dimension::linear_loss);
+        section["pressure_loss_quadratic"] =
+            format_quantity(constant->loss.quadratic, Dimension::quadratic_loss);
+    }
+    section["tangential_ratio"] = job.sheet.tangential_ratio;
+    section["region"] = job.sheet.region == ResistanceRegion::whole_device ? "whole" : "free";
+    return section;
+}
+
+Json export_sections(const Exports& exports)
+{
+    Json sections = Json::array();
+    if (exports.vtk) sections.push_back({{"format", "vtk"}});
+    if (exports.openvdb) sections.push_back({{"format", "openvdb"}});
+    if (exports.openfoam) {
+        sections.push_back({{"format", "openfoam"},
+                            {"inlet_velocity", format_quantity(exports.openfoam->inlet_velocity,
+                                                               Dimension::velocity)},
+                            {"coarse_cell", length(exports.openfoam->coarse_cell)},
+                            {"surface_refinement", exports.openfoam->surface_refinement},
+                            {"device_refinement", exports.openfoam->device_refinement}});
+    }
+    return sections;
+}
+
+bool is_array_of_tables(const Json& value)
+{
+    return value.is_array() && !value.empty() && value.front().is_object();
+}
+
+/// Writes a table as TOML: its values first, then its sub-tables. JSON's strings, numbers and
+/// booleans are TOML's too.
+void append_toml(std::string& text, const Json& table, const std::string& name)
+{
+    for (const auto& [key, value] : table.items()) {
+        if (value.is_object() || is_array_of_tables(value)) continue;
+        text += fmt::format("{} = {}\n", key, value.dump());
+    }
+    for (const auto& [key, value] : table.items()) {
+        const std::string full_name = name.empty() ? key : name + "." + key;
+        if (value.is_object()) {
+            text += fmt::format("\n[{}]\n", full_name);
+            append_toml(text, value, full_name);
+        } else if (is_array_of_tables(value)) {
+            for (const Json& element : value) {
+                text += fmt::format("\n[[{}]]\n", full_name);
+                append_toml(text, element, full_name);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Json resolved_case(const Case& job)
+{
+    return {{"vessel", vessel_section(job.vessel)},
+            {"device", device_section(job.device)},
+            {"deployment", deployment_section(job)},
+            {"fluid",
+             {{"density", format_quantity(job.fluid.density, Dimension::density)},
+              {"viscosity", format_quantity(job.fluid.viscosity, Dimension::dynamic_viscosity)}}},
+            {"porous", porous_section(job)},
+            {"grid",
+             {{"spacing", length(job.deposit.spacing)},
+              {"kernel_half_width", job.deposit.kernel_half_width}}},
+            {"export", export_sections(job.exports)}};
+}
+
+std::string resolved_case_text(const Case& job)
+{
+    std::string text;
+    append_toml(text, resolved_case(job), "");
+    return text;
+}
+
+}  // namespace braidzone

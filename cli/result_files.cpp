@@ -1,0 +1,87 @@
+#include "cli/result_files.hpp"
+
+#include "cli/case_geometry.hpp"
+#include "cli/resolved_case.hpp"
+#include "core/error.hpp"
+#include "export/device_vtp.hpp"
+#include "export/field_vdb.hpp"
+#include "export/field_vti.hpp"
+#include "export/foam_case.hpp"
+#include "export/unrolled.hpp"
+#include "export/wires_vtp.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace braidzone {
+namespace {
+
+namespace fs = std::filesystem;
+
+void copy_to(const fs::path& from, const fs::path& to)
+{
+    std::error_code error;
+    fs::copy_file(from, to, error);
+    if (error) {
+        throw IoError(fmt::format("{} cannot be copied to {}: {}", from.string(), to.string(),
+                                  error.message()));
+    }
+}
+
+/// Copies the case with its input files into a folder, as `case.toml`.
+void write_case_copy(const Case& job, const fs::path& folder)
+{
+    fs::create_directories(folder);
+    Case copy = job;
+    copy.vessel.surface = "vessel" + job.vessel.surface.extension().string();
+    copy_to(job.vessel.surface, folder / copy.vessel.surface);
+    if (job.vessel.centerline) {
+        copy.vessel.centerline = "centerline" + job.vessel.centerline->extension().string();
+        copy_to(*job.vessel.centerline, folder / *copy.vessel.centerline);
+    }
+    const fs::path file = folder / "case.toml";
+    std::ofstream text(file);
+    text << "# The case that this folder was made from, with every value explicit.\n"
+         << resolved_case_text(copy);
+    if (!text.flush()) throw IoError(fmt::format("{} cannot be written", file.string()));
+}
+
+void write_foam(const Case& job, const Chain& chain, const fs::path& folder)
+{
+    FoamCaseOptions options = *job.exports.openfoam;
+    options.inlet = nearest_opening(chain.vessel, chain.centerline.sections.front().origin);
+    options.program = fs::read_symlink("/proc/self/exe").string();
+    options.case_file = "braidzone/case.toml";
+    write_foam_case(folder, chain.vessel, chain.sheet, job.fluid, options);
+    write_case_copy(job, folder / "braidzone");
+}
+
+}  // namespace
+
+void write_results(const Case& job, const Chain& chain, Stage last, const fs::path& folder)
+{
+    const LengthUnit& unit = chain.vessel.unit;
+    write_device(folder / "device.vtp", chain.deployment, chain.sheet, unit);
+    write_wires(folder / "wires.vtp", chain.deployment, job.device.wire_diameter, unit);
+    write_unrolled(folder / "unrolled.vtp", chain.deployment, chain.sheet, unit);
+    write_unrolled_picture(folder / "unrolled.png", chain.deployment, chain.sheet);
+    if (chain.field && job.exports.openvdb) {
+        write_field_vdb(folder / "field.vdb", *chain.field, unit);
+    }
+    if (chain.field && job.exports.vtk) write_field_vti(folder / "field.vti", *chain.field, unit);
+    if (last == Stage::exports && job.exports.openfoam) write_foam(job, chain, folder / "openfoam");
+}
+
+std::vector<std::string> files_in(const fs::path& folder)
+{
+    std::vector<std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), folder).string());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+}  // namespace braidzone

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "cli/pipeline.hpp"
+
+#include <filesystem>
+
+namespace braidzone {
+
+/// Writes the result files of a run, except its summary: device.vtp, wires.vtp, unrolled.vtp and
+/// unrolled.png always, the fields if the chain holds one, the OpenFOAM case after the last stage;
+/// the latter two as far as the case asks for them.
+///
+/// `openfoam/braidzone` holds a copy of the case with its vessel and centerline, so that the
+/// OpenFOAM folder can be taken elsewhere and its Allrun still applies this device.
+///
+/// @throws IoError if a file cannot be written
+void write_results(const Case& job, const Chain& chain, Stage last,
+                   const std::filesystem::path& folder);
+
+/// The files below a folder, relative to it, sorted.
+std::vector<std::string> files_in(const std::filesystem::path& folder);
+
+}  // namespace braidzone

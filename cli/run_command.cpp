@@ -1,0 +1,78 @@
+#include "cli/commands.hpp"
+#include "cli/output_folder.hpp"
+#include "cli/result_files.hpp"
+#include "cli/summary.hpp"
+#include "core/error.hpp"
+#include "export/foam_apply.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+namespace braidzone {
+namespace {
+
+std::filesystem::path default_output(const std::filesystem::path& case_file)
+{
+    return std::filesystem::path(case_file).replace_extension(".out");
+}
+
+void write_summary(const std::filesystem::path& path, const nlohmann::ordered_json& summary)
+{
+    std::ofstream file(path);
+    file << summary.dump(2) << '\n';
+    if (!file.flush()) throw IoError(fmt::format("{} cannot be written", path.string()));
+}
+
+std::string title(const Case& job)
+{
+    return fmt::format("{} {:.4g} x {:.4g} mm in {}", job.device.name,
+                       1e3 * job.device.nominal_diameter, 1e3 * job.device.nominal_length,
+                       job.vessel.surface.filename().string());
+}
+
+}  // namespace
+
+void run_case(const std::filesystem::path& case_file, Stage last, const CommonOptions& options)
+{
+    const Case job = read_case(case_file, options.overrides);
+    OutputFolder folder(options.output.value_or(default_output(case_file)), options.force);
+    Progress progress(options.quiet);
+
+    const Chain chain = run_chain(job, last, progress);
+    progress.begin("export", "writing the results");
+    write_results(job, chain, last, folder.path());
+    progress.end();
+    const auto summary = summarise(job, chain, progress, files_in(folder.path()));
+    write_summary(folder.path() / "summary.json", summary);
+    folder.commit();
+
+    if (options.quiet) return;
+    fmt::print("{}\n{}  {:<28}{}\n", title(job), short_summary(summary), "results",
+               folder.final_path().string());
+}
+
+void apply_case_to_foam(const std::filesystem::path& case_file,
+                        const std::filesystem::path& foam_case, const CommonOptions& options)
+{
+    const Case job = read_case(case_file, options.overrides);
+    Progress progress(options.quiet);
+    const Chain chain = run_chain(job, Stage::deploy, progress);
+    progress.begin("export", "applying the resistance to the mesh");
+    const FoamApplication applied = apply_to_foam_case(foam_case, chain.sheet);
+    progress.end();
+
+    for (const std::string& warning : applied.warnings)
+        fmt::print(stderr, "note: {}\n", warning);
+    if (options.quiet) return;
+    fmt::print(
+        "{}\n  {} of {} cells in {} zones; Darcy integral {:.6g} m of the sheet, {:.6g} m of the "
+        "zones\n",
+        title(job), applied.num_resistant_cells, applied.num_cells, applied.num_zones,
+        applied.integral_sheet, applied.integral_zones);
+    if (applied.sac_volume) fmt::print("  sac {:.4g} mm3\n", 1e9 * *applied.sac_volume);
+    for (const auto& file : applied.files)
+        fmt::print("  {}\n", file.string());
+}
+
+}  // namespace braidzone

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "cli/pipeline.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace braidzone {
+
+/// The figures of a run, its resolved case and what it was made with: the content of summary.json.
+///
+/// `quantities` maps each name to {value, unit}, or to null where it does not apply. "Neck" means
+/// free of the wall by more than `neck_gap`.
+/// @param files  what the run wrote, relative to its folder
+nlohmann::ordered_json summarise(const Case& job, const Chain& chain, const Progress& progress,
+                                 const std::vector<std::string>& files);
+
+/// The same in a few lines for the terminal.
+std::string short_summary(const nlohmann::ordered_json& summary);
+
+/// True if the file is the summary of an earlier run.
+bool is_summary_of_a_run(const std::filesystem::path& file);
+
+}  // namespace braidzone

@@ -1,0 +1,74 @@
+#include "core/phantom_file.hpp"
+
+namespace braidzone {
+
+namespace {
+
+PhantomSegment read_segment(const TomlTable& table)
+{
+    PhantomSegment segment;
+    segment.length = table.quantity("length", Dimension::length);
+    segment.angle = table.quantity_or("angle", Dimension::angle, segment.angle);
+    segment.plane_angle = table.quantity_or("plane_angle", Dimension::angle, segment.plane_angle);
+    return segment;
+}
+
+PhantomSac read_sac(const TomlTable& table)
+{
+    PhantomSac sac;
+    if (table.has("position")) sac.position = table.quantity("position", Dimension::length);
+    sac.direction = table.quantity_or("direction", Dimension::angle, sac.direction);
+    sac.diameter = table.quantity("diameter", Dimension::length);
+    sac.height = table.quantity_or("height", Dimension::length, sac.diameter);
+    sac.neck = table.quantity("neck", Dimension::length);
+    sac.edge_length = table.quantity_or("edge_length", Dimension::length, sac.edge_length);
+    return sac;
+}
+
+PhantomBranch read_branch(const TomlTable& table)
+{
+    PhantomBranch branch;
+    branch.position = table.quantity("position", Dimension::length);
+    branch.direction = table.quantity_or("direction", Dimension::angle, branch.direction);
+    branch.tilt = table.quantity_or("tilt", Dimension::angle, branch.tilt);
+    branch.radius = table.quantity("radius", Dimension::length);
+    branch.length = table.quantity("length", Dimension::length);
+    return branch;
+}
+
+PhantomBifurcation read_bifurcation(const TomlTable& table)
+{
+    PhantomBifurcation bifurcation;
+    bifurcation.radius = table.quantity("radius", Dimension::length);
+    bifurcation.length = table.quantity("length", Dimension::length);
+    bifurcation.half_angle =
+        table.quantity_or("half_angle", Dimension::angle, bifurcation.half_angle);
+    return bifurcation;
+}
+
+}  // namespace
+
+Phantom read_phantom(const TomlTable& file)
+{
+    Phantom phantom;
+    const TomlTable vessel = file.table("vessel");
+    phantom.proximal_radius = vessel.quantity("proximal_radius", Dimension::length);
+    phantom.distal_radius =
+        vessel.quantity_or("distal_radius", Dimension::length, phantom.proximal_radius);
+    phantom.edge_length = vessel.quantity_or("edge_length", Dimension::length, phantom.edge_length);
+    phantom.blend_radius =
+        vessel.quantity_or("blend_radius", Dimension::length, phantom.blend_radius);
+    for (const TomlTable& table : file.tables("segment")) {
+        phantom.segments.push_back(read_segment(table));
+    }
+    for (const TomlTable& table : file.tables("sac"))
+        phantom.sacs.push_back(read_sac(table));
+    for (const TomlTable& table : file.tables("branch")) {
+        phantom.branches.push_back(read_branch(table));
+    }
+    if (file.has("bifurcation")) phantom.bifurcation = read_bifurcation(file.table("bifurcation"));
+    file.finish();
+    return phantom;
+}
+
+}  // namespace braidzone

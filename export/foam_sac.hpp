@@ -1,0 +1,19 @@
+#pragma once
+
+#include "export/foam_resistance.hpp"
+
+#include <vector>
+
+namespace braidzone {
+
+/// Cells of the sac: those that the device closes off from every inlet and outlet.
+///
+/// The cells with resistance are taken out of the mesh; what remains falls into connected parts.
+/// Parts that touch no patch of type `patch` (inlets, outlets) lie behind the device. Those with at
+/// least a quarter of the volume of the cells with resistance are the sac; smaller ones are pockets
+/// between the braid and the wall. There is none if the device leaves the wall at an end (flow goes
+/// around it) or if a branch leaves behind it, such as the other daughter at a bifurcation.
+/// @return cell indices, increasing; empty if there is no sac
+std::vector<int> find_sac(const CellResistance& resistance, const FoamMesh& mesh);
+
+}  // namespace braidzone

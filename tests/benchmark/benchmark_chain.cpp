@@ -1,0 +1,117 @@
+// Speed of the deployment and of the whole chain, on one thread and on all, with peak memory.
+//
+// Figures to reach: a 4x20 device of 48 wires in a vessel of 10,000 triangles in 0.25 s on one
+// core; the whole chain at 0.1 mm voxels in 2 s.
+
+#include "cli/pipeline.hpp"
+#include "cli/result_files.hpp"
+#include "core/wall_tree.hpp"
+#include "deploy/deployment.hpp"
+#include "support/shapes.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <benchmark/benchmark.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <sys/resource.h>
+
+#include <filesystem>
+
+namespace braidzone {
+namespace {
+
+std::filesystem::path shipped_case(const std::string& name)
+{
+    return std::filesystem::path(BRAIDZONE_SOURCE_DIR) / "cases" / name / "case.toml";
+}
+
+/// Limits the threads to the benchmark's argument; 0 means all.
+tbb::global_control thread_limit(const benchmark::State& state)
+{
+    const auto all = static_cast<std::size_t>(tbb::info::default_concurrency());
+    const auto asked = static_cast<std::size_t>(state.range(0));
+    return tbb::global_control(tbb::global_control::max_allowed_parallelism,
+                               asked == 0 ? all : asked);
+}
+
+/// Largest resident set of the process so far [MB]: the highest of this and earlier benchmarks.
+void report_memory(benchmark::State& state)
+{
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+void deploy_in_case(benchmark::State& state, const std::string& name)
+{
+    const auto limit = thread_limit(state);
+    const Case job = read_case(shipped_case(name));
+    Progress progress(true);
+    const Chain chain = run_chain(job, Stage::deploy, progress);
+    const double landing = chain.deployment.ring_arc_length.front();
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(deploy(job.device, chain.centerline, chain.wall, landing,
+                                        job.schedule, job.deployment));
+    }
+    state.counters["nodes"] = chain.deployment.lattice.num_nodes();
+    state.counters["triangles"] = static_cast<double>(chain.vessel.wall.triangles.size());
+    report_memory(state);
+}
+
+/// A straight tube of `triangles`, for the cost against the vessel's fineness.
+void deploy_in_tube(benchmark::State& state)
+{
+    const auto limit = thread_limit(state);
+    const double radius = 1.85e-3, length = 26e-3;
+    const auto along = static_cast<int>(state.range(1)) / (2 * 70);
+    const Vessel vessel = test::tube_vessel(radius, length, 70, along);
+    const WallTree wall(vessel);
+    const Centerline centerline = test::tube_centerline(radius, length);
+    const Case job = read_case(shipped_case("straight_tube"));
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(
+            deploy(job.device, centerline, wall, 23e-3, job.schedule, job.deployment));
+    }
+    state.counters["triangles"] = static_cast<double>(vessel.wall.triangles.size());
+    report_memory(state);
+}
+
+/// From the case file to every result file, at 0.1 mm voxels.
+void whole_chain(benchmark::State& state, const std::string& name)
+{
+    const auto limit = thread_limit(state);
+    const test::TemporaryFolder folder;
+    for (auto _ : state) {
+        const Case job = read_case(shipped_case(name), {"grid.spacing=0.1 mm"});
+        Progress progress(true);
+        const Chain chain = run_chain(job, Stage::exports, progress);
+        const auto output = folder.path() / "out";
+        std::filesystem::remove_all(output);
+        std::filesystem::create_directory(output);
+        write_results(job, chain, Stage::exports, output);
+    }
+    report_memory(state);
+}
+
+BENCHMARK(deploy_in_tube)
+    ->ArgNames({"threads", "triangles"})
+    ->Args({1, 10000})
+    ->Args({0, 10000})
+    ->Args({1, 100000})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(deploy_in_case, sidewall_aneurysm, "sidewall_aneurysm")
+    ->ArgName("threads")
+    ->Arg(1)
+    ->Arg(0)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(whole_chain, sidewall_aneurysm, "sidewall_aneurysm")
+    ->ArgName("threads")
+    ->Arg(1)
+    ->Arg(0)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+}  // namespace
+}  // namespace braidzone

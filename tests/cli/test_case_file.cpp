@@ -1,0 +1,167 @@
+#include "cli/case_file.hpp"
+#include "cli/resolved_case.hpp"
+#include "core/error.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace braidzone {
+namespace {
+
+constexpr auto smallest = R"([vessel]
+surface = "vessel.stl"
+length_unit = "mm"
+[device]
+name = "pipeline-flex"
+diameter = "4 mm"
+length = "20 mm"
+[deployment]
+landing_distal = "18 mm"
+)";
+
+constexpr auto everything = R"([vessel]
+surface = "/data/vessel.vtp"
+length_unit = "cm"
+repair = true
+centerline = "lines/centerline.vtp"
+centerline_line = 2
+reverse_centerline = true
+[device]
+name = "pipeline-flex"
+diameter = "4.25 mm"
+length = "20 mm"
+wire_diameter = "28 um"
+[deployment]
+landing_distal = ["1 mm", "2 mm", "3.3 mm"]
+time_step_ratio = 0.7
+damping = "0.05 kg/s"
+bending_ratio = 0.4
+release_interval = 30
+residual_tolerance = 1e-5
+max_settling_steps = 1234
+[[deployment.push_pull]]
+from = "8 mm"
+to = "14 mm"
+spacing = 0.34
+[fluid]
+density = "1060 kg/m^3"
+viscosity = "4 mPa s"
+[porous]
+law = "constant"
+pressure_loss_linear = "490 Pa s/m"
+pressure_loss_quadratic = "330 kg/m^3"
+tangential_ratio = 1.5
+region = "whole"
+[grid]
+spacing = "0.15 mm"
+kernel_half_width = 3
+[[export]]
+format = "openfoam"
+inlet_velocity = "30 cm/s"
+coarse_cell = "0.4 mm"
+surface_refinement = 2
+device_refinement = 3
+)";
+
+TEST(CaseFile, NeedsFewKeys)
+{
+    const test::TemporaryFolder folder;
+    const Case job = read_case(folder.write("case.toml", smallest));
+    EXPECT_EQ(job.vessel.surface, folder.path() / "vessel.stl");
+    EXPECT_EQ(job.vessel.unit.metres, 1e-3);
+    EXPECT_FALSE(job.vessel.centerline.has_value());
+    EXPECT_FALSE(job.vessel.from.has_value());
+    EXPECT_EQ(job.device.nominal_diameter, 4e-3);
+    EXPECT_EQ(std::get<double>(job.landing_distal), 18e-3);
+    EXPECT_EQ(job.fluid.density, 1056.0);
+    EXPECT_EQ(law_name(job.law), "braid-stokes");
+    EXPECT_EQ(job.sheet.tangential_ratio, 1.0);
+    EXPECT_EQ(job.deposit.spacing, 1e-4);
+    EXPECT_TRUE(job.exports.vtk && job.exports.openvdb && job.exports.openfoam);
+}
+
+TEST(CaseFile, GivesEveryValueInSi)
+{
+    const test::TemporaryFolder folder;
+    const Case job = read_case(folder.write("case.toml", everything));
+    EXPECT_EQ(job.vessel.surface, "/data/vessel.vtp");
+    EXPECT_EQ(job.vessel.unit.metres, 1e-2);
+    EXPECT_TRUE(job.vessel.repair);
+    EXPECT_EQ(job.vessel.centerline, folder.path() / "lines" / "centerline.vtp");
+    EXPECT_EQ(job.vessel.centerline_line, 2);
+    EXPECT_TRUE(job.vessel.reverse_centerline);
+    EXPECT_EQ(job.device.wire_diameter, 28e-6);
+    EXPECT_DOUBLE_EQ(std::get<Vec3>(job.landing_distal).z(), 3.3e-3);
+    EXPECT_EQ(job.deployment.time_step_ratio, 0.7);
+    EXPECT_EQ(job.deployment.damping, 0.05);
+    EXPECT_EQ(job.deployment.bending_ratio, 0.4);
+    EXPECT_EQ(job.deployment.release_interval, 30);
+    EXPECT_EQ(job.deployment.residual_tolerance, 1e-5);
+    EXPECT_EQ(job.deployment.max_settling_steps, 1234);
+    ASSERT_EQ(job.schedule.windows.size(), 1u);
+    EXPECT_EQ(job.schedule.windows[0].to, 14e-3);
+    EXPECT_EQ(job.schedule.windows[0].spacing, 0.34);
+    EXPECT_EQ(job.fluid.density, 1060.0);
+    EXPECT_EQ(job.fluid.viscosity, 4e-3);
+    EXPECT_EQ(std::get<ConstantLaw>(job.law).loss.linear, 490.0);
+    EXPECT_EQ(std::get<ConstantLaw>(job.law).loss.quadratic, 330.0);
+    EXPECT_EQ(job.sheet.tangential_ratio, 1.5);
+    EXPECT_EQ(job.sheet.region, ResistanceRegion::whole_device);
+    EXPECT_DOUBLE_EQ(job.deposit.spacing, 0.15e-3);
+    EXPECT_EQ(job.deposit.kernel_half_width, 3);
+    EXPECT_FALSE(job.exports.vtk || job.exports.openvdb);
+    ASSERT_TRUE(job.exports.openfoam.has_value());
+    EXPECT_EQ(job.exports.openfoam->inlet_velocity, 0.3);
+    EXPECT_DOUBLE_EQ(job.exports.openfoam->coarse_cell, 0.4e-3);
+    EXPECT_EQ(job.exports.openfoam->surface_refinement, 2);
+    EXPECT_EQ(job.exports.openfoam->device_refinement, 3);
+}
+
+TEST(CaseFile, TakesEndsOfAComputedCenterline)
+{
+    const test::TemporaryFolder folder;
+    std::string text = smallest;
+    text.insert(text.find("[device]"), "from = 1\nto = [\"1 mm\", \"2 mm\", \"3 mm\"]\n");
+    const Case job = read_case(folder.write("case.toml", text));
+    EXPECT_EQ(std::get<int>(*job.vessel.from), 1);
+    EXPECT_EQ(std::get<Vec3>(*job.vessel.to), Vec3(1e-3, 2e-3, 3e-3));
+}
+
+TEST(CaseFile, LetsOverridesWin)
+{
+    const test::TemporaryFolder folder;
+    const Case job = read_case(folder.write("case.toml", smallest),
+                               {"device.diameter=4.5 mm", "grid.spacing=0.2 mm"});
+    EXPECT_EQ(job.device.nominal_diameter, 4.5e-3);
+    EXPECT_EQ(job.deposit.spacing, 2e-4);
+}
+
+TEST(ResolvedCase, ReadsBackAsTheSameCase)
+{
+    const test::TemporaryFolder folder;
+    std::string computed = smallest;
+    computed.insert(computed.find("[device]"), "from = 1\nto = [\"1 mm\", \"2 mm\", \"3 mm\"]\n");
+    for (const std::string& text : {std::string(smallest), std::string(everything), computed}) {
+        const Case job = read_case(folder.write("case.toml", text));
+        const Case again = read_case(folder.write("again.toml", resolved_case_text(job)));
+        EXPECT_EQ(resolved_case(again).dump(2), resolved_case(job).dump(2));
+        EXPECT_EQ(again.device.reference_node_area, job.device.reference_node_area);
+        EXPECT_EQ(again.device.braid_ratio, job.device.braid_ratio);
+        EXPECT_EQ(again.vessel.surface, job.vessel.surface);
+    }
+}
+
+TEST(ResolvedCase, StatesDefaultsAndUnits)
+{
+    const test::TemporaryFolder folder;
+    const auto json = resolved_case(read_case(folder.write("case.toml", smallest)));
+    EXPECT_EQ(json["vessel"]["surface"], (folder.path() / "vessel.stl").string());
+    EXPECT_EQ(json["vessel"]["length_unit"], "mm");
+    EXPECT_EQ(json["device"]["wire_diameter"], "3e-05 m");
+    EXPECT_EQ(json["fluid"]["viscosity"], "0.0035 Pa s");
+    EXPECT_EQ(json["porous"]["region"], "free");
+    EXPECT_EQ(json["export"].size(), 3u);
+}
+
+}  // namespace
+}  // namespace braidzone

@@ -1,0 +1,197 @@
+// What each verb writes and prints, on the shipped straight tube.
+
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace braidzone {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+class Verbs : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        const fs::path shipped = fs::path(BRAIDZONE_SOURCE_DIR) / "cases" / "straight_tube";
+        for (const char* file : {"vessel.stl", "centerline.vtp", "case.toml"}) {
+            fs::copy_file(shipped / file, folder_.path() / file);
+        }
+    }
+
+    /// Runs a verb on the case at 0.2 mm voxels, with further arguments.
+    void run(const std::string& verb, const Words& more = {})
+    {
+        Words words = {verb, (folder_.path() / "case.toml").string(), "--set",
+                       "grid.spacing=0.2 mm"};
+        words.insert(words.end(), more.begin(), more.end());
+        start(words);
+    }
+
+    void start(const Words& words)
+    {
+        const test::Program program(words, folder_.path());
+        const int status = program.wait();
+        out_ = program.out();
+        ASSERT_EQ(status, 0) << program.err();
+    }
+
+    static std::string text_of(const fs::path& file)
+    {
+        std::ostringstream text;
+        text << std::ifstream(file, std::ios::binary).rdbuf();
+        return std::move(text).str();
+    }
+
+    nlohmann::json summary(const std::string& output = "case.out") const
+    {
+        return nlohmann::json::parse(text_of(folder_.path() / output / "summary.json"));
+    }
+
+    bool is_there(const std::string& file) const { return fs::exists(folder_.path() / file); }
+
+    test::TemporaryFolder folder_;
+    std::string out_;
+};
+
+TEST_F(Verbs, DeployWritesTheDeviceOnly)
+{
+    run("deploy");
+    for (const char* file : {"device.vtp", "wires.vtp", "unrolled.vtp", "unrolled.png"}) {
+        EXPECT_TRUE(is_there(std::string("case.out/") + file)) << file;
+    }
+    EXPECT_FALSE(is_there("case.out/field.vdb"));
+    EXPECT_FALSE(is_there("case.out/openfoam"));
+    const auto quantities = summary()["quantities"];
+    EXPECT_TRUE(quantities["resistance_integral_field"].is_null());
+    EXPECT_EQ(quantities["implanted_length"]["unit"], "m");
+}
+
+TEST_F(Verbs, PorousWritesTheFieldsToo)
+{
+    run("porous");
+    EXPECT_TRUE(is_there("case.out/field.vdb"));
+    EXPECT_TRUE(is_there("case.out/field.vti"));
+    EXPECT_FALSE(is_there("case.out/openfoam"));
+    EXPECT_FALSE(summary()["quantities"]["resistance_integral_field"].is_null());
+}
+
+TEST_F(Verbs, RunWritesEverythingAndListsIt)
+{
+    run("run");
+    const auto record = summary();
+    const auto files = record["files"].get<Words>();
+    for (const char* file : {"device.vtp", "field.vdb", "field.vti", "openfoam/Allrun",
+                             "openfoam/braidzone/case.toml", "unrolled.png", "wires.vtp"}) {
+        EXPECT_TRUE(is_there(std::string("case.out/") + file)) << file;
+        EXPECT_NE(std::find(files.begin(), files.end(), file), files.end()) << file;
+    }
+    EXPECT_EQ(record["inputs"].size(), 3u);
+    EXPECT_EQ(record["case"]["vessel"]["surface"], (folder_.path() / "vessel.stl").string());
+    // A straight tube holds the device at its nominal length.
+    EXPECT_NEAR(record["quantities"]["implanted_length"]["value"].get<double>(), 20e-3, 0.1e-3);
+    EXPECT_NE(out_.find("implanted length"), std::string::npos);
+}
+
+TEST_F(Verbs, RunWritesTheWantedExportsOnly)
+{
+    const std::string text = text_of(folder_.path() / "case.toml");
+    folder_.write("case.toml",
+                  text.substr(0, text.find("[[export]]")) + "[[export]]\nformat = \"openvdb\"\n");
+    run("run");
+    EXPECT_TRUE(is_there("case.out/field.vdb"));
+    EXPECT_FALSE(is_there("case.out/field.vti"));
+    EXPECT_FALSE(is_there("case.out/openfoam"));
+}
+
+TEST_F(Verbs, GiveTheSameBytesWhateverTheNumberOfThreads)
+{
+    const auto output = [&](const char* name) { return (folder_.path() / name).string(); };
+    run("run", {"--threads", "1", "--output", output("one")});
+    run("run", {"--threads", "2", "--output", output("two")});
+    for (const auto& file : summary("one")["files"].get<Words>()) {
+        // OpenVDB stamps each file with an identifier of its own; its values are compared by the
+        // tests of the export.
+        if (file.ends_with(".vdb")) continue;
+        EXPECT_EQ(text_of(folder_.path() / "one" / file), text_of(folder_.path() / "two" / file))
+            << file;
+    }
+    EXPECT_EQ(summary("one")["quantities"]["resistance_integral_field"],
+              summary("two")["quantities"]["resistance_integral_field"]);
+}
+
+TEST_F(Verbs, TheCopiedCaseGivesTheIdenticalDeployment)
+{
+    run("run");
+    const fs::path copy = folder_.path() / "case.out" / "openfoam" / "braidzone";
+    start(
+        {"deploy", (copy / "case.toml").string(), "--output", (folder_.path() / "again").string()});
+    for (const char* file : {"device.vtp", "wires.vtp"}) {
+        EXPECT_EQ(text_of(folder_.path() / "again" / file),
+                  text_of(folder_.path() / "case.out" / file))
+            << file;
+    }
+}
+
+TEST_F(Verbs, QuietPrintsNothing)
+{
+    run("deploy", {"--quiet"});
+    EXPECT_EQ(out_, "");
+}
+
+TEST_F(Verbs, CheckPrintsWhatItFoundAndWritesNothing)
+{
+    run("check");
+    for (const char* piece :
+         {"2 openings", "0: diameter 3.7", "from opening", "pipeline-flex 4 x 20 mm",
+          "48 wires of 30 um", "3 to 23 mm along the centerline", "million voxels"}) {
+        EXPECT_NE(out_.find(piece), std::string::npos) << piece << " is not in\n" << out_;
+    }
+    EXPECT_FALSE(is_there("case.out"));
+}
+
+TEST_F(Verbs, CenterlineComputesAFileThatARunAccepts)
+{
+    const std::string line = (folder_.path() / "line.vtp").string();
+    start({"centerline", (folder_.path() / "vessel.stl").string(), "--from", "0", "--to", "1",
+           "--output", line});
+    run("deploy", {"--set", "vessel.centerline=line.vtp"});
+    EXPECT_NEAR(summary()["quantities"]["contact_area_fraction"]["value"].get<double>(), 1.0, 0.01);
+
+    // A file that is there is not overwritten.
+    const test::Program again(
+        {"centerline", (folder_.path() / "vessel.stl").string(), "--output", line}, folder_.path());
+    EXPECT_EQ(again.wait(), 5);
+    EXPECT_NE(again.err().find("line.vtp exists"), std::string::npos) << again.err();
+}
+
+TEST_F(Verbs, PhantomWritesAVesselThatCheckAccepts)
+{
+    const fs::path parameters =
+        fs::path(BRAIDZONE_SOURCE_DIR) / "cases" / "straight_tube" / "phantom.toml";
+    const fs::path made = folder_.path() / "made";
+    start({"phantom", parameters.string(), "--output", made.string()});
+    fs::copy_file(folder_.path() / "case.toml", made / "case.toml");
+    start({"check", (made / "case.toml").string()});
+    EXPECT_NE(out_.find("2 openings"), std::string::npos) << out_;
+    for (const auto& entry : fs::directory_iterator(made)) {
+        EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path();
+    }
+}
+
+TEST_F(Verbs, DevicesListsAndShows)
+{
+    start({"devices"});
+    EXPECT_NE(out_.find("pipeline-flex"), std::string::npos);
+    EXPECT_NE(out_.find("incomplete"), std::string::npos);
+    start({"devices", "pipeline-flex"});
+    EXPECT_NE(out_.find("confidence high: Zavodszky et al. 2020"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace braidzone

@@ -1,0 +1,164 @@
+#include "core/error.hpp"
+#include "export/field_vdb.hpp"
+#include "support/fields.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace braidzone {
+namespace {
+
+const LengthUnit millimetre{"mm", 1e-3};
+
+std::string content(const std::filesystem::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+class FieldVdb : public testing::Test {
+protected:
+    FieldVdb()
+    {
+        write_field_vdb(path, field, millimetre);
+        openvdb::initialize();
+        openvdb::io::File file(path.string());
+        file.open();
+        grids = *file.getGrids();
+    }
+
+    template <typename Grid>
+    typename Grid::Ptr grid(const std::string& name) const
+    {
+        for (const openvdb::GridBase::Ptr& candidate : grids) {
+            if (candidate->getName() == name) return openvdb::gridPtrCast<Grid>(candidate);
+        }
+        return nullptr;
+    }
+    /// Value of a grid at a point of the field [m], found by OpenVDB from its transform.
+    template <typename Grid>
+    typename Grid::ValueType value_at(const std::string& name, const Vec3& point) const
+    {
+        const auto found = grid<Grid>(name);
+        const Vec3 position = point / millimetre.metres;
+        const openvdb::Vec3d index =
+            found->transform().worldToIndex({position[0], position[1], position[2]});
+        return found->tree().getValue(openvdb::Coord::round(index));
+    }
+
+    test::TemporaryFolder folder;
+    std::filesystem::path path = folder.path() / "field.vdb";
+    PorousField field = test::asymmetric_field();
+    openvdb::GridPtrVec grids;
+};
+
+TEST_F(FieldVdb, HoldsAllGridsWithTheirUnits)
+{
+    const std::pair<const char*, const char*> units[] = {
+        {"void_fraction", "1"},        {"surface_density", "1/m"},
+        {"darcy_normal", "1/m^2"},     {"darcy_tangential", "1/m^2"},
+        {"forchheimer_normal", "1/m"}, {"normal", "1"},
+        {"wall_distance", "m"},        {"cell_type", "1"}};
+    ASSERT_EQ(grids.size(), std::size(units));
+    for (const auto& [name, unit] : units) {
+        const auto found = grid<openvdb::GridBase>(name);
+        ASSERT_TRUE(found) << name;
+        EXPECT_EQ(found->metaValue<std::string>("unit"), unit) << name;
+        EXPECT_EQ(found->metaValue<std::string>("length_unit"), "mm") << name;
+        EXPECT_FALSE(found->saveFloatAsHalf()) << name;
+    }
+}
+
+TEST_F(FieldVdb, EveryVoxelIsFoundAtItsPlace)
+{
+    for (int k = 0; k < 6; ++k) {
+        for (int j = 0; j < 5; ++j) {
+            for (int i = 0; i < 4; ++i) {
+                const Vec3 centre = field.grid.centre(i, j, k);
+                const std::size_t index = field.grid.index(i, j, k);
+                EXPECT_EQ(value_at<openvdb::FloatGrid>("wall_distance", centre),
+                          field.wall_distance[index]);
+                EXPECT_EQ(value_at<openvdb::FloatGrid>("cell_type", centre),
+                          static_cast<float>(field.cell_type[index]));
+            }
+        }
+    }
+}
+
+TEST_F(FieldVdb, TouchedVoxelsHoldTheirValues)
+{
+    const std::array<Vec3, 2> places{field.grid.centre(1, 2, 3), field.grid.centre(2, 0, 5)};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto expect = [&](const char* name, double value) {
+            EXPECT_EQ(value_at<openvdb::FloatGrid>(name, places[i]), static_cast<float>(value))
+                << name;
+        };
+        expect("void_fraction", field.void_fraction[i]);
+        expect("surface_density", field.surface_density[i]);
+        expect("darcy_normal", field.darcy_normal[i]);
+        expect("darcy_tangential", field.darcy_tangential[i]);
+        expect("forchheimer_normal", field.forchheimer_normal[i]);
+        const openvdb::Vec3s normal = value_at<openvdb::Vec3SGrid>("normal", places[i]);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_FLOAT_EQ(normal[c], field.normal[i][c]);
+    }
+    for (const char* name : {"void_fraction", "darcy_normal", "forchheimer_normal"}) {
+        EXPECT_EQ(grid<openvdb::FloatGrid>(name)->activeVoxelCount(), 2U) << name;
+    }
+    EXPECT_EQ(value_at<openvdb::FloatGrid>("void_fraction", field.grid.origin), 1.0F);
+    EXPECT_EQ(value_at<openvdb::FloatGrid>("darcy_normal", field.grid.origin), 0.0F);
+}
+
+// As acceptance does it: active values times the voxel's volume.
+TEST_F(FieldVdb, KeepsTheResistanceIntegral)
+{
+    const auto darcy = grid<openvdb::FloatGrid>("darcy_normal");
+    double sum = 0.0;
+    for (auto value = darcy->cbeginValueOn(); value; ++value) {
+        sum += static_cast<double>(*value) * static_cast<double>(value.getVoxelCount());
+    }
+    const double volume = darcy->transform().voxelVolume() * std::pow(millimetre.metres, 3);
+    const double exact = resistance_integral(field);
+    EXPECT_NEAR(sum * volume, exact, 1e-6 * exact);
+}
+
+TEST_F(FieldVdb, IsTheSameBytesEachTime)
+{
+    const std::filesystem::path again = folder.path() / "again.vdb";
+    write_field_vdb(again, field, millimetre);
+    EXPECT_EQ(content(again), content(path));
+}
+
+TEST_F(FieldVdb, MarkChangesWithTheContent)
+{
+    const std::filesystem::path other = folder.path() / "other.vdb";
+    PorousField changed = field;
+    changed.darcy_normal[0] *= 2.0;
+    write_field_vdb(other, changed, millimetre);
+    const auto mark = [](const std::filesystem::path& file) {
+        return content(file).substr(21, 36);
+    };
+    EXPECT_NE(mark(other), mark(path));
+    EXPECT_EQ(mark(path)[14], '8');
+}
+
+TEST_F(FieldVdb, UnwritablePathIsReported)
+{
+    const std::filesystem::path nowhere = folder.path() / "absent" / "field.vdb";
+    try {
+        write_field_vdb(nowhere, field, millimetre);
+        FAIL() << "nothing was thrown";
+    } catch (const IoError& error) {
+        EXPECT_NE(std::string(error.what()).find(nowhere.string()), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace braidzone

@@ -1,0 +1,158 @@
+#include "export/foam_apply.hpp"
+#include "export/foam_cell_zones.hpp"
+#include "export/foam_format.hpp"
+#include "support/braids.hpp"
+#include "support/foam_box.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace braidzone {
+namespace {
+
+std::string text_of(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Writes a mesh as an ASCII polyMesh; only the lowest `num_open` faces of inlet and outlet stay
+/// open, the others become wall.
+void write_mesh(const std::filesystem::path& foam_case, const FoamMesh& mesh, int num_open)
+{
+    const auto folder = foam_case / "constant/polyMesh";
+    const auto list = [](const auto& items, auto text_of_item) {
+        std::string text = fmt::format("{}\n(\n", items.size());
+        for (const auto& item : items)
+            text += text_of_item(item) + "\n";
+        return text + ")\n";
+    };
+    const auto number = [](int value) { return std::to_string(value); };
+    write_text_file(folder / "points", foam_header("vectorField", "constant/polyMesh", "points") +
+                                           list(mesh.points, foam_vector));
+    write_text_file(folder / "faces", foam_header("faceList", "constant/polyMesh", "faces") +
+                                          list(mesh.faces, [](const std::vector<int>& face) {
+                                              return fmt::format("{}({})", face.size(),
+                                                                 fmt::join(face, " "));
+                                          }));
+    write_text_file(folder / "owner", foam_header("labelList", "constant/polyMesh", "owner") +
+                                          list(mesh.owner, number));
+    write_text_file(
+        folder / "neighbour",
+        foam_header("labelList", "constant/polyMesh", "neighbour") + list(mesh.neighbour, number));
+    std::string patches;
+    for (const FoamPatch& patch : mesh.patches) {
+        const int open = patch.type == "patch" ? num_open : 0;
+        if (open > 0)
+            patches += fmt::format("{} {{ type patch; nFaces {}; startFace {}; }}\n", patch.name,
+                                   open, patch.start_face);
+        patches += fmt::format("{}_rest {{ type wall; nFaces {}; startFace {}; }}\n", patch.name,
+                               patch.num_faces - open, patch.start_face + open);
+    }
+    write_text_file(folder / "boundary",
+                    foam_header("polyBoundaryMesh", "constant/polyMesh", "boundary") + "5(\n" +
+                        patches + ")\n");
+}
+
+/// A sheet over the whole block at height z.
+ResistanceSheet sheet_at(double z)
+{
+    const auto surface = test::flat_braid(Vec3(0, 0, z), Vec3::UnitX() * 0.2e-3, 10,
+                                          Vec3::UnitY() * 0.2e-3, 10, 30e-6);
+    return make_resistance_sheet(surface, ConstantLaw{{490.0, 330.0}}, Fluid{});
+}
+
+class ApplyToFoamCase : public ::testing::Test {
+protected:
+    // A vessel of 0.8 mm under a sac of 2.2 mm: 2 x 2 x 3 mm in cells of 0.1 mm.
+    void SetUp() override
+    {
+        write_mesh(folder_.path(), test::foam_box({20, 20, 30}, 0.1e-3), 20 * 8);
+    }
+    test::TemporaryFolder folder_;
+};
+
+// The sheet's integral by hand: 490 / 3.5e-3 1/m over 4 mm^2 is 0.56 m.
+TEST_F(ApplyToFoamCase, WritesZonesWhoseIntegralIsTheSheets)
+{
+    const FoamApplication applied = apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
+    EXPECT_EQ(applied.num_cells, 12000);
+    EXPECT_NEAR(applied.integral_sheet, 0.56, 1e-12);
+    EXPECT_NEAR(applied.integral_zones, 0.56, 1e-12);
+
+    const auto zones = read_cell_zones(folder_.path());
+    ASSERT_EQ(zones.size(), static_cast<std::size_t>(applied.num_zones) + 1);
+    std::size_t num_resistant = 0;
+    for (const auto& zone : zones)
+        if (zone.name != "sac") num_resistant += zone.cells.size();
+    EXPECT_EQ(num_resistant, static_cast<std::size_t>(applied.num_resistant_cells));
+    for (const auto& file : applied.files)
+        EXPECT_FALSE(text_of(folder_.path() / file).empty()) << file;
+}
+
+// The kernel reaches 0.3 mm up from 1.23 mm: cells with centres above 1.53 mm are the sac.
+TEST_F(ApplyToFoamCase, FindsTheSacAndReportsItsSpeed)
+{
+    const FoamApplication applied = apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
+    ASSERT_TRUE(applied.sac_volume.has_value());
+    EXPECT_NEAR(*applied.sac_volume, 4e-6 * 1.5e-3, 1e-14);
+    EXPECT_EQ(read_cell_zones(folder_.path()).back().name, "sac");
+    EXPECT_NE(text_of(folder_.path() / "system/fdFunctions").find("volFieldValue"),
+              std::string::npos);
+}
+
+// Applied again where it closes nothing off: the old zones, and the report on the sac, are gone.
+TEST_F(ApplyToFoamCase, ReplacesWhatItWroteBefore)
+{
+    apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
+    ResistanceSheet sheet = sheet_at(1.23e-3);
+    for (double& acting : sheet.acting)
+        acting = 0.0;
+    const FoamApplication applied = apply_to_foam_case(folder_.path(), sheet);
+    EXPECT_EQ(applied.num_zones, 0);
+    EXPECT_FALSE(applied.sac_volume.has_value());
+    EXPECT_TRUE(read_cell_zones(folder_.path()).empty());
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "system/fdFunctions"));
+    ASSERT_EQ(applied.warnings.size(), 1U);
+    EXPECT_NE(applied.warnings[0].find("the device meets no flow"), std::string::npos);
+}
+
+TEST_F(ApplyToFoamCase, InspectionFieldHoldsTheDepositedResistance)
+{
+    const FoamApplication applied = apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
+    FoamReader reader(folder_.path() / "0/fdDarcy");
+    EXPECT_EQ(reader.header().class_name, "volScalarField");
+    while (reader.word() != "nonuniform")
+        reader.peek();
+    reader.word();  // List<scalar>
+    double sum = 0.0;
+    for (const double darcy : reader.scalars())
+        sum += darcy * 1e-12;
+    EXPECT_NEAR(sum / applied.integral_sheet, 1.0, 1e-8);  // written with nine digits
+}
+
+// A case whose start fields are kept in 0.orig: `cp -r 0.orig 0` must not find a folder 0.
+TEST_F(ApplyToFoamCase, PutsFieldsBesideTheStartFieldsOfTheCase)
+{
+    folder_.write("0.orig/U", "");
+    apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "0.orig/fdZone"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "0"));
+}
+
+TEST_F(ApplyToFoamCase, GivesTheSameBytesAgain)
+{
+    apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
+    const std::string first = text_of(folder_.path() / "constant/fvOptions");
+    const std::string zones = text_of(folder_.path() / "constant/polyMesh/cellZones");
+    apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
+    EXPECT_EQ(text_of(folder_.path() / "constant/fvOptions"), first);
+    EXPECT_EQ(text_of(folder_.path() / "constant/polyMesh/cellZones"), zones);
+}
+
+}  // namespace
+}  // namespace braidzone

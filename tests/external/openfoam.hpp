@@ -1,0 +1,65 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace braidzone::test {
+
+/// True if OpenFOAM's programs can be called.
+inline bool has_openfoam()
+{
+    return std::system("command -v simpleFoam > /dev/null 2>&1") == 0;
+}
+
+inline std::string file_text(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    EXPECT_TRUE(stream.good()) << file;
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Runs a shell command in a folder, its output to `log` there; shows the output's end if it fails.
+inline bool run_in(const std::filesystem::path& folder, const std::string& command,
+                   const std::string& log)
+{
+    const std::string line = "cd '" + folder.string() +
+                             "' && WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam} && export "
+                             "WM_PROJECT_DIR && ( " +
+                             command + " ) > " + log + " 2>&1";
+    if (std::system(line.c_str()) == 0) return true;
+    const std::string output = file_text(folder / log);
+    ADD_FAILURE() << command << " failed in " << folder << ":\n"
+                  << output.substr(output.size() > 2000 ? output.size() - 2000 : 0);
+    return false;
+}
+
+/// The numbers of the last line of a function object's table; parentheses count as white space.
+inline std::vector<double> last_row(const std::filesystem::path& file)
+{
+    std::istringstream lines(file_text(file));
+    std::string line, last;
+    while (std::getline(lines, line))
+        if (!line.empty() && line[0] != '#') last = line;
+    for (char& c : last)
+        if (c == '(' || c == ')') c = ' ';
+    std::istringstream words(last);
+    return {std::istream_iterator<double>(words), {}};
+}
+
+/// Iterations after which simpleFoam found its criterion met; -1 if it did not.
+inline int iterations_to_convergence(const std::filesystem::path& log)
+{
+    const std::string text = file_text(log);
+    const std::string words = "SIMPLE solution converged in ";
+    const auto found = text.find(words);
+    return found == std::string::npos ? -1 : std::stoi(text.substr(found + words.size()));
+}
+
+}  // namespace braidzone::test

@@ -1,0 +1,84 @@
+#include "core/error.hpp"
+#include "porous/braid_stokes.hpp"
+#include "porous/resistance_law.hpp"
+
+#include <gtest/gtest.h>
+
+namespace braidzone {
+namespace {
+
+constexpr double um = 1e-6;
+const Fluid fluid;
+
+Rhombus pore(double spacing_um, double wire_um)
+{
+    return measure_rhombus(Vec3(spacing_um * um, 0, 0), Vec3(0, spacing_um * um, 0), wire_um * um,
+                           Vec3::UnitX());
+}
+
+TEST(LawName, IsThatOfTheCaseFile)
+{
+    EXPECT_EQ(law_name(BraidStokesLaw{}), "braid-stokes");
+    EXPECT_EQ(law_name(ConstantLaw{}), "constant");
+}
+
+TEST(SheetLoss, BraidStokesHasBothParts)
+{
+    const Rhombus cell = pore(190, 33);
+    const SheetLoss loss = sheet_loss(BraidStokesLaw{}, cell, 33 * um, fluid);
+    EXPECT_DOUBLE_EQ(loss.linear, braid_stokes_linear(cell, fluid.viscosity));
+    EXPECT_DOUBLE_EQ(loss.quadratic, braid_stokes_quadratic(cell, fluid.density));
+}
+
+TEST(SheetLoss, InertiaCanBeSwitchedOff)
+{
+    const Rhombus cell = pore(190, 33);
+    const SheetLoss loss = sheet_loss(BraidStokesLaw{.inertia = false}, cell, 33 * um, fluid);
+    EXPECT_DOUBLE_EQ(loss.linear, braid_stokes_linear(cell, fluid.viscosity));
+    EXPECT_EQ(loss.quadratic, 0.0);
+}
+
+TEST(SheetLoss, ConstantLawGivesItsValuesEverywhere)
+{
+    const ConstantLaw law{{400.0, 300.0}};
+    for (const double spacing : {100.0, 200.0}) {
+        const SheetLoss loss = sheet_loss(law, pore(spacing, 30), 30 * um, fluid);
+        EXPECT_EQ(loss.linear, 400.0);
+        EXPECT_EQ(loss.quadratic, 300.0);
+    }
+}
+
+// Wires of 30 um every 31 um: solidity 0.968.
+TEST(SheetLoss, JammedBraidIsRefused)
+{
+    EXPECT_NO_THROW(sheet_loss(BraidStokesLaw{}, pore(33, 30), 30 * um, fluid));
+    try {
+        sheet_loss(BraidStokesLaw{}, pore(31, 30), 30 * um, fluid);
+        FAIL() << "a jammed cell was accepted";
+    } catch (const InputError& error) {
+        const std::string message = error.what();
+        EXPECT_NE(message.find("jammed"), std::string::npos);
+        EXPECT_NE(message.find("0.967742"), std::string::npos);
+        EXPECT_NE(message.find("0.95"), std::string::npos);
+    }
+}
+
+TEST(RangeWarnings, CountsRhombiOutsideTheVerifiedSolidities)
+{
+    const std::vector<Rhombus> rhombi{pore(200, 30), pore(400, 30), pore(60, 30), pore(50, 30)};
+    const auto warnings = range_warnings(BraidStokesLaw{}, rhombi);
+    ASSERT_EQ(warnings.size(), 2U);
+    EXPECT_NE(warnings[0].find("1 of 4"), std::string::npos);
+    EXPECT_NE(warnings[0].find("0.075"), std::string::npos);
+    EXPECT_NE(warnings[1].find("2 of 4"), std::string::npos);
+    EXPECT_NE(warnings[1].find("0.6"), std::string::npos);
+}
+
+TEST(RangeWarnings, AreAbsentWithinTheRangeAndForConstants)
+{
+    EXPECT_TRUE(range_warnings(BraidStokesLaw{}, {pore(200, 30), pore(100, 30)}).empty());
+    EXPECT_TRUE(range_warnings(ConstantLaw{}, {pore(31, 30)}).empty());
+}
+
+}  // namespace
+}  // namespace braidzone
