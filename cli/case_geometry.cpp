@@ -83,7 +83,7 @@ std::string describe_openings(const Vessel& vessel)
     for (std::size_t i = 0; i < vessel.openings.size(); ++i) {
         const Opening& opening = vessel.openings[i];
         const Vec3 centre = opening.centre * 1e3;
-        text += fmt::format("{}  {}: diameter {:.4g} mm at ({:.4g}, {:.4g}, {:.4g}) mm",
+        text += fmt::format("{}  {}: diameter {:.2f} mm at ({:.2f}, {:.2f}, {:.2f}) mm",
                             i == 0 ? "" : "\n", i, 2e3 * opening.radius, centre.x(), centre.y(),
                             centre.z());
     }

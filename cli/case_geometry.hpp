@@ -24,7 +24,7 @@ double arc_length_at(const PlaceOnCenterline& place, const Centerline& centerlin
 /// The opening whose centre is nearest to a point: at the centerline's first point, the inlet.
 int nearest_opening(const Vessel& vessel, const Vec3& point);
 
-/// "0: diameter 4.2 mm at (1, 2, 3) mm", one line for each opening, indented.
+/// "0: diameter 4.20 mm at (1.00, 2.00, 3.00) mm", one line for each opening, indented.
 std::string describe_openings(const Vessel& vessel);
 
 }  // namespace braidzone

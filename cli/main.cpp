@@ -137,7 +137,7 @@ int run(int argc, char** argv)
     CLI::App app("Braidzone prepares the CFD of vessels treated with braided flow diverters.",
                  "braidzone");
     app.set_version_flag("--version", BRAIDZONE_VERSION);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);  // so that an unknown verb is named
     Arguments arguments;
     add_run_verbs(app, arguments);
     add_vessel_verbs(app, arguments);
@@ -146,6 +146,11 @@ int run(int argc, char** argv)
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
+    }
+
+    if (!arguments.command) {
+        fmt::print(stderr, "{}\nbraidzone: a subcommand is required\n", app.help());
+        return 2;
     }
 
     std::optional<tbb::global_control> thread_limit;

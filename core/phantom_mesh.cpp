@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/level_contour.hpp"
 
+#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Simple_cartesian.h>
@@ -11,7 +12,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace braidzone {
 

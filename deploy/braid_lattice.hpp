@@ -38,8 +38,15 @@ struct BraidLattice {
     }
     /// Angle of node (ring, column) in the force-free device [rad].
     double angle(int ring, int column) const;
-    /// Area of the device's surface that one node stands for, force-free [m^2]: dL0 2 dR0.
+    /// Area of the device's surface that an inner node stands for, force-free [m^2]: dL0 2 dR0.
     double node_area() const { return 2.0 * ring_spacing * arm_width; }
+    /// Rhombi around a node of a ring, out of four: 1/4 and 3/4 in the last rings at the ends,
+    /// else 1.
+    double area_share(int ring) const
+    {
+        const int from_end = ring < num_rings - 1 - ring ? ring : num_rings - 1 - ring;
+        return from_end == 0 ? 0.25 : from_end == 1 ? 0.75 : 1.0;
+    }
 };
 
 /// The lattice of a device: N - 1 = round(L0 / dL0) gaps, at least 2.

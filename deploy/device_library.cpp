@@ -184,7 +184,10 @@ FlowDiverter read_device(const TomlTable& section, std::vector<std::string>& not
                         section.where("name"), device.name, fmt::join(missing, ", ")));
     }
     if (const auto invalid = find_invalid(device)) {
-        throw ConfigError(fmt::format("{} {}", section.where(invalid->key), invalid->finding));
+        throw ConfigError(fmt::format(
+            "{} {}{}", section.where(invalid->key), invalid->finding,
+            section.has(invalid->key) ? ""
+                                      : " (from the library for this size; give it in [device])"));
     }
     return device;
 }

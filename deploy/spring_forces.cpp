@@ -41,7 +41,8 @@ double elastic_energy(const BraidLattice& lattice, const SpringCoefficients& coe
             }
             const Vec3& hub = rings[static_cast<std::size_t>(ring)].origin;
             const double compression = lattice.nominal_radius - (node - hub).norm();
-            energy += 0.5 * coefficients.radial * compression * compression;
+            energy +=
+                0.5 * lattice.area_share(ring) * coefficients.radial * compression * compression;
         }
     }
     return energy;
@@ -73,7 +74,8 @@ Vec3 spring_force(const BraidLattice& lattice, const SpringCoefficients& coeffic
     const Vec3 outward = node - rings[static_cast<std::size_t>(ring)].origin;
     const double radius = outward.norm();
     if (radius > 0.0) {
-        force += coefficients.radial * (lattice.nominal_radius / radius - 1.0) * outward;
+        force += lattice.area_share(ring) * coefficients.radial *
+                 (lattice.nominal_radius / radius - 1.0) * outward;
     }
     return force;
 }

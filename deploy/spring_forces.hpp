@@ -11,7 +11,7 @@ namespace braidzone {
 /// Coefficients of the lattice's springs (Zavodszky et al. 2020, equation 2 and Table 2).
 struct SpringCoefficients {
     double surface = 0.0;  ///< c_surface, of an arm [N/m]
-    double radial = 0.0;   ///< c_radial, of a node's radial spring [N/m]
+    double radial = 0.0;   ///< c_radial, of an inner node's radial spring [N/m]
     double bending = 0.0;  ///< c_bending, of a wire between three crossings [N/m]
 };
 
@@ -19,17 +19,18 @@ struct SpringCoefficients {
 ///
 /// An arm's coefficient does not depend on the fineness of a lattice of similar cells. A radial
 /// spring stands for the area of its node, so the coefficient of the reference lattice is scaled by
-/// node area over `reference_node_area`. The force scale is not included: it is applied to the
-/// forces that are reported, and leaves the shape as it is.
+/// node area over `reference_node_area`, and at the ends by the node's share of it. The force scale
+/// is not included: it is applied to the forces that are reported, and leaves the shape as it is.
 /// @param bending_ratio  c_bending over c_surface [-]; >= 0, see `wire_bending.hpp`
 SpringCoefficients spring_coefficients(const FlowDiverter& device, const BraidLattice& lattice,
                                        double bending_ratio);
 
 /// Elastic energy of the lattice [J]:
 ///
-///     E = sum over arms of c_surface (l - l0)^2 / 2 + sum over nodes of c_radial (R0 - r)^2 / 2
+///     E = sum over arms of c_surface (l - l0)^2 / 2 + sum over nodes of q c_radial (R0 - r)^2 / 2
 ///
-/// with l the length of the arm and r the distance of the node to the hub of its ring.
+/// with l the length of the arm, r the distance of the node to the hub of its ring and q the share
+/// of `BraidLattice::area_share`.
 /// @param nodes  |N| x 3 [m]
 /// @param rings  one for each ring; the origin is the hub
 double elastic_energy(const BraidLattice& lattice, const SpringCoefficients& coefficients,
@@ -37,7 +38,7 @@ double elastic_energy(const BraidLattice& lattice, const SpringCoefficients& coe
 
 /// Force of its springs on a node: minus the gradient of the energy with respect to the node [N].
 ///
-///     F = sum over its arms of c_surface (l - l0) d / l  +  c_radial (R0 - r) e_r
+///     F = sum over its arms of c_surface (l - l0) d / l  +  q c_radial (R0 - r) e_r
 ///
 /// with d from the node to the other end of the arm and e_r from the hub to the node. A node on the
 /// hub feels no radial force.

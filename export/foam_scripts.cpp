@@ -157,6 +157,9 @@ D belongs to the viscosity in `constant/transportProperties`: export again if th
 Flow enters with a given flow rate and a flat profile and leaves against zero pressure. The wall is
 rigid, the flow steady, laminar and Newtonian.
 
+The device is spread over six cells across. The thinner that layer, the nearer to the real one: repeat
+with one more `device_refinement` to see what it changes.
+
 ## On a mesh of your own
 `braidzone export CASE --onto FOLDER` applies the device to any OpenFOAM mesh of this vessel, in
 metres and not decomposed. It writes the files named above and touches no others. To have the speed

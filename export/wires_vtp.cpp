@@ -27,9 +27,11 @@ enum Family { right_handed = 0, left_handed = 1 };
 
 /// Column of a wire's crossing in a ring: right-handed wires pass from (k, j) to (k+1, j-1),
 /// left-handed ones from (k, j) to (k+1, j).
-int column_of_wire(Family family, int wire, int ring)
+int column_of_wire(const BraidLattice& lattice, Family family, int wire, int ring)
 {
-    return family == right_handed ? wire - ring : wire;
+    if (family == left_handed) return wire;
+    const int n = lattice.nodes_per_ring;
+    return ((wire - ring) % n + n) % n;
 }
 
 /// Catmull-Rom spline between p1 and p2 (Catmull and Rom 1974), t from 0 to 1.
@@ -51,7 +53,7 @@ std::vector<WirePoint> trace_wire(const Deployment& deployment, Family family, i
     const int last = lattice.num_rings - 1;
     const auto crossing = [&](int ring) -> const Vec3& {
         return deployment.nodes[static_cast<std::size_t>(
-            lattice.node(ring, column_of_wire(family, wire, ring)))];
+            lattice.node(ring, column_of_wire(lattice, family, wire, ring)))];
     };
     // Before the first and after the last crossing the wire goes on straight.
     const auto crossing_or_beyond = [&](int ring) -> Vec3 {
@@ -64,7 +66,8 @@ std::vector<WirePoint> trace_wire(const Deployment& deployment, Family family, i
 
     std::vector<WirePoint> points;
     for (int ring = 0; ring <= last; ++ring) {
-        const Vec2 start = surface_coordinates(lattice, ring, column_of_wire(family, wire, ring));
+        const Vec2 start =
+            surface_coordinates(lattice, ring, column_of_wire(lattice, family, wire, ring));
         const int pieces = ring < last ? pieces_per_arm : 1;
         for (int piece = 0; piece < pieces; ++piece) {
             const double t = static_cast<double>(piece) / pieces_per_arm;

@@ -146,6 +146,11 @@ struct BadInput {
     std::vector<std::string> arguments = {};  ///< after `run case.toml`
 };
 
+void PrintTo(const BadInput& bad, std::ostream* out)
+{
+    *out << bad.name;
+}
+
 /// Changes one piece of the case file.
 std::function<void(Workplace&)> change(const std::string& old_text, const std::string& new_text)
 {
@@ -298,7 +303,10 @@ const std::vector<BadInput> bad_inputs = {
      add("[[deployment.push_pull]]\nfrom = \"14 mm\"\nto = \"8 mm\"\nspacing = 0.34\n"),
      2,
      {"case.toml:", "deployment.push_pull"}},
-    {"voxels_too_fine", change("\"0.2 mm\"", "\"0.1 um\""), 2, {"2e+09 voxels"}},
+    {"voxels_too_fine",
+     change("\"0.2 mm\"", "\"0.1 um\""),
+     2,
+     {"grid.spacing = 0.0001 mm", "at most 2e+09"}},
 
     // Keys and names.
     {"unknown_key",
@@ -367,7 +375,13 @@ const std::vector<BadInput> bad_inputs = {
 
     // Files.
     {"vessel_missing", change("vessel.stl", "absent.stl"), 5, {"absent.stl"}},
-    {"vessel_ending_unknown", change("vessel.stl", "vessel.step"), 3, {"vessel.step", "stl"}},
+    {"vessel_ending_unknown",
+     [](Workplace& work) {
+         fs::copy_file(work.path() / "vessel.stl", work.path() / "vessel.step");
+         work.replace("vessel.stl", "vessel.step");
+     },
+     3,
+     {"vessel.step", "stl"}},
     {"vessel_truncated",
      [](Workplace& work) { work.truncate("vessel.stl", 0.5); },
      5,
@@ -409,7 +423,7 @@ const std::vector<BadInput> bad_inputs = {
     {"mesh_inverted",
      [](Workplace& work) { work.use_mesh(inverted(straight_tube())); },
      3,
-     {"vessel.stl", "inverted"}},
+     {"vessel.stl", "normals point into the lumen"}},
     {"mesh_non_manifold",
      [](Workplace& work) {
          TriangleMesh mesh = straight_tube();
@@ -449,7 +463,7 @@ const std::vector<BadInput> bad_inputs = {
     {"landing_zone_too_far_proximal",
      change("\"23 mm\"", "\"5 mm\""),
      3,
-     {"-15 to 5 mm along the centerline"}},
+     {"from -15", "to 5 mm along the centerline"}},
     {"device_longer_than_the_vessel",
      change("\"20 mm\"", "\"35 mm\""),
      3,
@@ -459,7 +473,9 @@ const std::vector<BadInput> bad_inputs = {
      3,
      {"device.diameter = 3 mm is too small"}},
     {"device_too_large",
-     change("\"4 mm\"", "\"8 mm\"\nany_size = true"),
+     change("\"4 mm\"",
+            "\"8 mm\"\nany_size = true\nsurface_coefficient = \"0.4 N/m\"\n"
+            "radial_coefficient = \"0.08 N/m\""),
      3,
      {"device.diameter = 8 mm is too large"}},
     {"catheter_too_wide",

@@ -34,13 +34,17 @@ protected:
         grids = *file.getGrids();
     }
 
+    openvdb::GridBase::Ptr base_grid(const std::string& name) const
+    {
+        for (const openvdb::GridBase::Ptr& candidate : grids) {
+            if (candidate->getName() == name) return candidate;
+        }
+        return nullptr;
+    }
     template <typename Grid>
     typename Grid::Ptr grid(const std::string& name) const
     {
-        for (const openvdb::GridBase::Ptr& candidate : grids) {
-            if (candidate->getName() == name) return openvdb::gridPtrCast<Grid>(candidate);
-        }
-        return nullptr;
+        return openvdb::gridPtrCast<Grid>(base_grid(name));
     }
     /// Value of a grid at a point of the field [m], found by OpenVDB from its transform.
     template <typename Grid>
@@ -68,7 +72,7 @@ TEST_F(FieldVdb, HoldsAllGridsWithTheirUnits)
         {"wall_distance", "m"},        {"cell_type", "1"}};
     ASSERT_EQ(grids.size(), std::size(units));
     for (const auto& [name, unit] : units) {
-        const auto found = grid<openvdb::GridBase>(name);
+        const auto found = base_grid(name);
         ASSERT_TRUE(found) << name;
         EXPECT_EQ(found->metaValue<std::string>("unit"), unit) << name;
         EXPECT_EQ(found->metaValue<std::string>("length_unit"), "mm") << name;

@@ -126,9 +126,10 @@ TEST_F(ApplyToFoamCase, InspectionFieldHoldsTheDepositedResistance)
     const FoamApplication applied = apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
     FoamReader reader(folder_.path() / "0/fdDarcy");
     EXPECT_EQ(reader.header().class_name, "volScalarField");
-    while (reader.word() != "nonuniform")
-        reader.peek();
-    reader.word();  // List<scalar>
+    while (reader.word() != "internalField")
+        reader.entry();
+    EXPECT_EQ(reader.word(), "nonuniform");
+    EXPECT_EQ(reader.word(), "List<scalar>");
     double sum = 0.0;
     for (const double darcy : reader.scalars())
         sum += darcy * 1e-12;

@@ -164,7 +164,7 @@ protected:
     {
         const std::string folder = folder_.path().string();
         const int status =
-            std::system(("env PATH=\"" + folder + "/bin:$PATH\" " + environment + " sh " + folder +
+            std::system(("env " + environment + " PATH=\"" + folder + "/bin:$PATH\" sh " + folder +
                          "/Allrun " + arguments + " > " + folder + "/out 2>&1")
                             .c_str());
         return {text_of(folder_.path() / "out"), status};

@@ -78,7 +78,7 @@ TEST(OpenFoamMesh, CentresAndVolumesAreOpenFoams)
     ASSERT_TRUE(test::run_in(
         folder, "blockMesh && surfaceFeatureExtract && snappyHexMesh -overwrite", "log.mesh"));
     // Binary files hold every digit. A volume is a sum of terms up to 100 times as large as itself.
-    expect_openfoams_geometry(folder, 1e-11);
+    expect_openfoams_geometry(folder, 1e-12);
 
     // Gzipped ASCII with 12 digits. Coordinates are up to 50 cells from the origin, and a volume is
     // a difference of products of them.
@@ -89,7 +89,7 @@ TEST(OpenFoamMesh, CentresAndVolumesAreOpenFoams)
     write_text_file(folder / "system/controlDict", ascii);
     ASSERT_TRUE(test::run_in(folder, "foamFormatConvert -constant", "log.convert"));
     ASSERT_TRUE(std::filesystem::exists(folder / "constant/polyMesh/points.gz"));
-    expect_openfoams_geometry(folder, 1e-7);
+    expect_openfoams_geometry(folder, 1e-8);
 }
 
 }  // namespace

@@ -74,8 +74,8 @@ TEST_F(RealCenterlines, AgreesWithVmtkOnATortuousCarotid)
         const double arc_length = nearest_arc_length(computed, section.origin);
         const CrossSection here = section_at(computed, arc_length);
         const double distance = (here.origin - section.origin).norm() / section.inscribed_radius;
-        EXPECT_LT(distance, 0.15);
-        EXPECT_LT(std::acos(std::min(1.0, here.tangent.dot(section.tangent))), 0.35);
+        EXPECT_LT(distance, 0.12);
+        EXPECT_LT(std::acos(std::min(1.0, here.tangent.dot(section.tangent))), 0.2);
         mean += distance / static_cast<double>(reference.sections.size());
     }
     EXPECT_LT(mean, 0.05);
