@@ -145,6 +145,7 @@ DeployOptions read_deploy_options(const TomlTable& table)
     options.time_step_ratio = require_positive(
         table, "time_step_ratio", table.number_or("time_step_ratio", options.time_step_ratio), 1.0);
     options.damping = positive_or(table, "damping", Dimension::damping, options.damping);
+    options.centre_rings = table.boolean_or("centre_rings", options.centre_rings);
     options.bending_ratio = require_not_negative(
         table, "bending_ratio", table.number_or("bending_ratio", options.bending_ratio));
     options.release_interval =
@@ -217,18 +218,17 @@ FoamCaseOptions read_foam_options(const TomlTable& table)
 
 Exports read_exports(const std::vector<TomlTable>& tables)
 {
-    if (tables.empty()) return {.vtk = true, .openvdb = true, .openfoam = FoamCaseOptions{}};
+    if (tables.empty()) return {.openfoam = FoamCaseOptions{}};
     Exports exports;
+    std::vector<std::string> seen;
     for (const TomlTable& table : tables) {
         table.text("format");  // required here, without a default
         const std::string format = one_of(table, "format", "", {"vtk", "openvdb", "openfoam"});
-        if ((format == "vtk" && exports.vtk) || (format == "openvdb" && exports.openvdb) ||
-            (format == "openfoam" && exports.openfoam)) {
+        if (std::find(seen.begin(), seen.end(), format) != seen.end()) {
             throw ConfigError(
                 fmt::format("{} = \"{}\" is given twice", table.where("format"), format));
         }
-        exports.vtk |= format == "vtk";
-        exports.openvdb |= format == "openvdb";
+        seen.push_back(format);
         if (format == "openfoam") exports.openfoam = read_foam_options(table);
     }
     return exports;

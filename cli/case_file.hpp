@@ -39,11 +39,10 @@ struct VesselSource {
 /// the nearest arc length.
 using PlaceOnCenterline = std::variant<double, Vec3>;
 
-/// What to write besides the device's own files: [[export]].
+/// What to write for solvers: [[export]]. The VTK and OpenVDB files are always written; naming
+/// them is allowed.
 struct Exports {
-    bool vtk = false;                         ///< field.vti
-    bool openvdb = false;                     ///< field.vdb
-    std::optional<FoamCaseOptions> openfoam;  ///< openfoam/
+    std::optional<FoamCaseOptions> openfoam;  ///< openfoam/; on by default, without any [[export]]
 };
 
 /// A case file's content, in SI units.
@@ -62,7 +61,7 @@ struct Case {
     Exports exports;
 };
 
-/// Reads a case file strictly: section 1 of the README lists its keys.
+/// Reads a case file strictly; the README lists its keys.
 ///
 /// @param overrides  "section.key=value", which win over the file
 /// @throws IoError if the file cannot be read; ConfigError, with file, line and key, for anything

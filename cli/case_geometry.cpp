@@ -21,6 +21,16 @@ Vec3 end_point(const CenterlineEnd& end, const Vessel& vessel)
                                   describe_openings(vessel)));
 }
 
+/// The centerline's ends if both are points: a vessel with rounded ends is cut open there.
+std::optional<VesselEnds> given_points(const VesselSource& source)
+{
+    if (!source.from || !source.to) return std::nullopt;
+    const Vec3* from = std::get_if<Vec3>(&*source.from);
+    const Vec3* to = std::get_if<Vec3>(&*source.to);
+    if (from == nullptr || to == nullptr) return std::nullopt;
+    return VesselEnds{*from, *to};
+}
+
 Polyline read_given_centerline(const VesselSource& source, const Vessel& vessel,
                                const WallTree& wall)
 {
@@ -42,7 +52,8 @@ Vessel read_vessel(const VesselSource& source)
 {
     const TriangleMesh surface = read_surface(source.surface, source.unit);
     try {
-        return make_vessel(surface, source.unit, {.repair = source.repair});
+        return make_vessel(surface, source.unit,
+                           {.repair = source.repair, .ends = given_points(source)});
     } catch (const GeometryError& error) {
         throw GeometryError(fmt::format("{}: {}", source.surface.string(), error.what()));
     }

@@ -68,6 +68,7 @@ Json deployment_section(const Case& job)
     }
     section["time_step_ratio"] = options.time_step_ratio;
     section["damping"] = format_quantity(options.damping, Dimension::damping);
+    section["centre_rings"] = options.centre_rings;
     section["bending_ratio"] = options.bending_ratio;
     section["release_interval"] = options.release_interval;
     section["residual_tolerance"] = options.residual_tolerance;
@@ -100,9 +101,7 @@ Json porous_section(const Case& job)
 
 Json export_sections(const Exports& exports)
 {
-    Json sections = Json::array();
-    if (exports.vtk) sections.push_back({{"format", "vtk"}});
-    if (exports.openvdb) sections.push_back({{"format", "openvdb"}});
+    Json sections = Json::array({{{"format", "vtk"}}, {{"format", "openvdb"}}});
     if (exports.openfoam) {
         sections.push_back({{"format", "openfoam"},
                             {"inlet_velocity", format_quantity(exports.openfoam->inlet_velocity,

@@ -67,10 +67,10 @@ void write_results(const Case& job, const Chain& chain, Stage last, const fs::pa
     write_wires(folder / "wires.vtp", chain.deployment, job.device.wire_diameter, unit);
     write_unrolled(folder / "unrolled.vtp", chain.deployment, chain.sheet, unit);
     write_unrolled_picture(folder / "unrolled.png", chain.deployment, chain.sheet);
-    if (chain.field && job.exports.openvdb) {
+    if (chain.field) {
         write_field_vdb(folder / "field.vdb", *chain.field, unit);
+        write_field_vti(folder / "field.vti", *chain.field, unit);
     }
-    if (chain.field && job.exports.vtk) write_field_vti(folder / "field.vti", *chain.field, unit);
     if (last == Stage::exports && job.exports.openfoam) write_foam(job, chain, folder / "openfoam");
 }
 

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/lumen_path.hpp"
 #include "core/path_centring.hpp"
+#include "core/place_text.hpp"
 
 #include <fmt/format.h>
 
@@ -12,12 +13,6 @@
 namespace braidzone {
 
 namespace {
-
-std::string in_millimetres(const Vec3& point)
-{
-    return fmt::format("({:.6g}, {:.6g}, {:.6g}) mm", 1e3 * point.x(), 1e3 * point.y(),
-                       1e3 * point.z());
-}
 
 /// One end of the search.
 struct PathEnd {
@@ -34,13 +29,14 @@ PathEnd path_end(const Vessel& vessel, const WallTree& wall, const Vec3& point, 
         const Vec3 offset = point - opening.centre;
         const double along = offset.dot(opening.normal);
         const double across = (offset - along * opening.normal).norm();
-        if (std::abs(along) > step || across > opening.radius) continue;
+        // An oval opening reaches farther than its mean radius.
+        if (std::abs(along) > step || across > 2.0 * opening.radius) continue;
         const Vec3 inwards = point - (along + step) * opening.normal;
         if (wall.contains(inwards)) return {inwards, opening.radius};
     }
     if (!point.allFinite() || !wall.contains(point)) {
         throw GeometryError(fmt::format("the centerline's {} point {} lies outside the lumen", name,
-                                        in_millimetres(point)));
+                                        place_text(point)));
     }
     return {point, vessel.openings.front().radius};
 }
@@ -63,14 +59,14 @@ Polyline compute_centerline(const Vessel& vessel, const WallTree& wall, const Ve
     if ((first.start - last.start).norm() <= spacing) {
         throw GeometryError(
             fmt::format("the centerline's first and last point, {} and {}, are at one place",
-                        in_millimetres(from), in_millimetres(to)));
+                        place_text(from), place_text(to)));
     }
     const double cap = std::max(first.parent_radius, last.parent_radius);
     std::vector<Vec3> path = least_cost_path(wall, first.start, last.start, cap, spacing);
     if (path.empty()) {
         throw GeometryError(
             fmt::format("no path through the lumen joins {} and {} on a grid of {:.6g} mm",
-                        in_millimetres(from), in_millimetres(to), 1e3 * spacing));
+                        place_text(from), place_text(to), 1e3 * spacing));
     }
     path.front() = from;
     path.back() = to;
@@ -103,7 +99,7 @@ Polyline with_inscribed_radii(const Polyline& polyline, const WallTree& wall)
     if (num_outside > 0) {
         throw GeometryError(fmt::format(
             "{} of the centerline's {} points lie outside the lumen; the first is point {} at {}",
-            num_outside, n, first_outside, in_millimetres(polyline.points[first_outside])));
+            num_outside, n, first_outside, place_text(polyline.points[first_outside])));
     }
     if (result.inscribed_radii.empty()) result.inscribed_radii = distances;
     return result;

@@ -2,8 +2,10 @@
 
 #include "core/error.hpp"
 #include "core/mesh_topology.hpp"
+#include "core/place_text.hpp"
 #include "core/surface_caps.hpp"
 #include "core/surface_check.hpp"
+#include "core/surface_opening.hpp"
 #include "core/surface_repair.hpp"
 
 #include <fmt/format.h>
@@ -78,18 +80,6 @@ TriangleMesh without_triangles(const TriangleMesh& mesh, const std::vector<std::
     return submesh(mesh, kept);
 }
 
-/// Coordinates in the unit of the file, where the user can look them up; what should be 0
-/// does not show as 2e-17.
-std::string place(const Vec3& point, const LengthUnit& unit)
-{
-    Vec3 p = point / unit.metres;
-    const double negligible = 1e-9 * p.cwiseAbs().maxCoeff();
-    for (double& coordinate : p) {
-        if (std::abs(coordinate) < negligible) coordinate = 0.0;
-    }
-    return fmt::format("({:.6g}, {:.6g}, {:.6g}) {}", p.x(), p.y(), p.z(), unit.name);
-}
-
 void require_sound(const TriangleMesh& surface)
 {
     const SurfaceDefects defects = find_defects(surface);
@@ -116,14 +106,14 @@ void settle_holes(Vessel& vessel, bool repair_requested)
             "least a quarter of the largest one's {:.6g} {}; close the holes, or state "
             "`repair = true` in [vessel]",
             num_holes, num_holes == 1 ? "" : "s", 2.0 * first_hole->radius / vessel.unit.metres,
-            vessel.unit.name, place(first_hole->centre, vessel.unit),
+            vessel.unit.name, place_text(first_hole->centre, vessel.unit),
             2.0 * vessel.openings.front().radius / vessel.unit.metres, vessel.unit.name));
     }
     for (auto hole = first_hole; hole != vessel.openings.end(); ++hole) {
         append_fan(vessel.wall, hole->rim, hole->centre);
-        vessel.notes.push_back(fmt::format("closed a hole of {:.6g} {} diameter at {}",
-                                           2.0 * hole->radius / vessel.unit.metres,
-                                           vessel.unit.name, place(hole->centre, vessel.unit)));
+        vessel.notes.push_back(fmt::format(
+            "closed a hole of {:.6g} {} diameter at {}", 2.0 * hole->radius / vessel.unit.metres,
+            vessel.unit.name, place_text(hole->centre, vessel.unit)));
     }
     vessel.openings.erase(first_hole, vessel.openings.end());
     require_sound(vessel.wall);
@@ -165,19 +155,27 @@ Vessel make_vessel(const TriangleMesh& surface, const LengthUnit& unit,
         }
     }
     if (vessel.openings.empty()) {
-        throw GeometryError(fmt::format(
-            "the surface is closed and has no flat caps (normals within {:.6g} degrees, "
-            "a rim sharper than 45 degrees) that could be opened; cut it open at the "
-            "vessel's ends",
-            options.cap_angle_deg));
+        if (!options.ends) {
+            throw GeometryError(fmt::format(
+                "the surface is closed and has no flat caps (normals within {:.6g} degrees, "
+                "a rim sharper than 45 degrees) that could be opened; give end points in the "
+                "lumen, vessel.from and vessel.to, where it is to be cut open",
+                options.cap_angle_deg));
+        }
+        vessel.wall = open_rounded_ends(vessel.wall, *options.ends);
+        vessel.openings = measured_openings(vessel.wall);
+        vessel.notes.push_back(
+            fmt::format("cut the closed surface open at {} and {}; its other ends stay closed",
+                        place_text(options.ends->from, unit), place_text(options.ends->to, unit)));
     }
     settle_holes(vessel, options.repair);
     require_vessel_size(vessel);
     if (vessel.openings.size() < 2) {
-        throw GeometryError(fmt::format(
-            "the vessel has one opening only, of {:.6g} mm diameter at {}; blood needs "
-            "an inlet and an outlet",
-            2e3 * vessel.openings.front().radius, place(vessel.openings.front().centre, unit)));
+        throw GeometryError(
+            fmt::format("the vessel has one opening only, of {:.6g} mm diameter at {}; blood needs "
+                        "an inlet and an outlet",
+                        2e3 * vessel.openings.front().radius,
+                        place_text(vessel.openings.front().centre, unit)));
     }
     return vessel;
 }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/length_unit.hpp"
+#include "core/surface_opening.hpp"
 #include "core/triangle_mesh.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,21 +30,26 @@ struct Vessel {
 struct VesselOptions {
     bool repair = false;         ///< mend defects and holes instead of refusing them
     double cap_angle_deg = 5.0;  ///< a cap's normals are within this of their mean
+    /// Where a closed surface without flat caps is cut open; not used for any other surface.
+    std::optional<VesselEnds> ends = std::nullopt;
 };
 
 /// The vessel of a surface: sound, opened at flat caps, with its openings measured.
 ///
 /// An open surface has its rims as openings. A surface with fewer than two rims is opened at its
-/// flat caps (`flat_caps`). Rims of less than a quarter of the largest opening's radius are holes.
+/// flat caps (`flat_caps`). A closed surface without flat caps, its ends being rounded off, is cut
+/// open at the given ends (`open_rounded_ends`); its other ends stay closed. Rims of less than a
+/// quarter of the largest opening's radius are holes.
 ///
 /// With `repair`, defects are mended (`repair` in surface_repair.hpp) and holes closed by fans.
 ///
 /// @param surface  as `read_surface` returns it [m]
 /// @param unit     the unit of the file
 /// @throws GeometryError if the surface is defective or inverted (with the list of the defects) or
-///         has holes (with their place), unless `repair`; if it is closed without flat caps, has
-///         fewer than two openings, or is no blood vessel by its size: the largest opening's
-///         diameter must lie in 0.5 to 30 mm, which catches a surface whose unit was stated wrongly
+///         has holes (with their place), unless `repair`; if it is closed without flat caps and
+///         has no ends given or cannot be cut open there; if it has fewer than two openings, or is
+///         no blood vessel by its size: the largest opening's diameter must lie in 0.5 to 30 mm,
+///         which catches a surface whose unit was stated wrongly
 Vessel make_vessel(const TriangleMesh& surface, const LengthUnit& unit,
                    const VesselOptions& options = {});
 

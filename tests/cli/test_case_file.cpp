@@ -35,6 +35,7 @@ wire_diameter = "28 um"
 landing_distal = ["1 mm", "2 mm", "3.3 mm"]
 time_step_ratio = 0.7
 damping = "0.05 kg/s"
+centre_rings = false
 bending_ratio = 0.4
 release_interval = 30
 residual_tolerance = 1e-5
@@ -77,7 +78,8 @@ TEST(CaseFile, NeedsFewKeys)
     EXPECT_EQ(law_name(job.law), "braid-stokes");
     EXPECT_EQ(job.sheet.tangential_ratio, 1.0);
     EXPECT_EQ(job.deposit.spacing, 1e-4);
-    EXPECT_TRUE(job.exports.vtk && job.exports.openvdb && job.exports.openfoam);
+    EXPECT_TRUE(job.deployment.centre_rings);
+    EXPECT_TRUE(job.exports.openfoam.has_value());
 }
 
 TEST(CaseFile, GivesEveryValueInSi)
@@ -94,6 +96,7 @@ TEST(CaseFile, GivesEveryValueInSi)
     EXPECT_DOUBLE_EQ(std::get<Vec3>(job.landing_distal).z(), 3.3e-3);
     EXPECT_EQ(job.deployment.time_step_ratio, 0.7);
     EXPECT_EQ(job.deployment.damping, 0.05);
+    EXPECT_FALSE(job.deployment.centre_rings);
     EXPECT_EQ(job.deployment.bending_ratio, 0.4);
     EXPECT_EQ(job.deployment.release_interval, 30);
     EXPECT_EQ(job.deployment.residual_tolerance, 1e-5);
@@ -109,7 +112,6 @@ TEST(CaseFile, GivesEveryValueInSi)
     EXPECT_EQ(job.sheet.region, ResistanceRegion::whole_device);
     EXPECT_DOUBLE_EQ(job.deposit.spacing, 0.15e-3);
     EXPECT_EQ(job.deposit.kernel_half_width, 3);
-    EXPECT_FALSE(job.exports.vtk || job.exports.openvdb);
     ASSERT_TRUE(job.exports.openfoam.has_value());
     EXPECT_EQ(job.exports.openfoam->inlet_velocity, 0.3);
     EXPECT_DOUBLE_EQ(job.exports.openfoam->coarse_cell, 0.4e-3);

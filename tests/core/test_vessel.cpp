@@ -138,9 +138,11 @@ TEST(MakeVessel, RefusesAClosedSurfaceWithoutFlatCaps)
     TriangleMesh mesh = closed(test::tube(2e-3, 10e-3, 24, 10));
     mesh.points.back().z() += 1e-3;  // two domes
     mesh.points[mesh.points.size() - 2].z() -= 1e-3;
-    EXPECT_EQ(message_of(mesh),
-              "the surface is closed and has no flat caps (normals within 5 degrees, a rim sharper "
-              "than 45 degrees) that could be opened; cut it open at the vessel's ends");
+    EXPECT_EQ(
+        message_of(mesh),
+        "the surface is closed and has no flat caps (normals within 5 degrees, a rim sharper "
+        "than 45 degrees) that could be opened; give end points in the lumen, vessel.from and "
+        "vessel.to, where it is to be cut open");
 }
 
 // 24 sides on a circle of 2 mm: an area of 12.4233 mm^2, that of a circle of 3.97717 mm.

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace braidzone::test {
 
@@ -60,6 +61,73 @@ inline TriangleMesh box(const Vec3& lower, const Vec3& upper)
     mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                       {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     return mesh;
+}
+
+/// A cross-section of a tube: e1 x e2 is along the tube's axis.
+struct Ring {
+    Vec3 centre, e1, e2;
+    double radius = 0.0;
+};
+
+/// A closed surface through rings, normals outwards. The first and the last ring are points.
+inline TriangleMesh closed_rings(const std::vector<Ring>& rings, int around)
+{
+    TriangleMesh mesh;
+    const int last = static_cast<int>(rings.size()) - 1;
+    mesh.points.push_back(rings.front().centre);
+    for (int k = 1; k < last; ++k) {
+        const Ring& ring = rings[static_cast<std::size_t>(k)];
+        for (int j = 0; j < around; ++j) {
+            const double angle = 2.0 * std::numbers::pi * j / around;
+            mesh.points.push_back(ring.centre + ring.radius * (std::cos(angle) * ring.e1 +
+                                                               std::sin(angle) * ring.e2));
+        }
+    }
+    mesh.points.push_back(rings.back().centre);
+    const int apex = static_cast<int>(mesh.points.size()) - 1;
+    const auto point = [&](int k, int j) { return 1 + (k - 1) * around + j % around; };
+    for (int j = 0; j < around; ++j) {
+        mesh.triangles.push_back({0, point(1, j + 1), point(1, j)});
+        for (int k = 1; k + 1 < last; ++k) {
+            mesh.triangles.push_back({point(k, j), point(k, j + 1), point(k + 1, j + 1)});
+            mesh.triangles.push_back({point(k, j), point(k + 1, j + 1), point(k + 1, j)});
+        }
+        mesh.triangles.push_back({apex, point(last - 1, j), point(last - 1, j + 1)});
+    }
+    return mesh;
+}
+
+/// A bent tube with hemispherical ends: `frame(s)` is the axis' frame at arc length s, for s from
+/// -radius to `length` + radius, the cylinder being between 0 and `length`.
+template <typename Frame>
+TriangleMesh rounded_tube(double radius, double length, int around, int along, Frame frame)
+{
+    std::vector<Ring> rings;
+    const int polar = around / 4;
+    const auto add = [&](double arc_length, double ring_radius) {
+        Ring ring = frame(arc_length);
+        ring.radius = ring_radius;
+        rings.push_back(ring);
+    };
+    for (int k = 0; k < polar; ++k) {
+        const double angle = 0.5 * std::numbers::pi * k / polar;  // from the tip
+        add(-radius * std::cos(angle), radius * std::sin(angle));
+    }
+    for (int k = 0; k <= along; ++k)
+        add(length * k / along, radius);
+    for (int k = polar - 1; k >= 0; --k) {
+        const double angle = 0.5 * std::numbers::pi * k / polar;
+        add(length + radius * std::cos(angle), radius * std::sin(angle));
+    }
+    return closed_rings(rings, around);
+}
+
+/// A cylinder along z from 0 to `length` with hemispherical ends.
+inline TriangleMesh capsule(double radius, double length, int around, int along)
+{
+    return rounded_tube(radius, length, around, along, [](double z) {
+        return Ring{Vec3(0, 0, z), Vec3::UnitX(), Vec3::UnitY()};
+    });
 }
 
 }  // namespace braidzone::test

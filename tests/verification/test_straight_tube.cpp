@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <string>
 
 namespace braidzone {
 
@@ -62,11 +63,17 @@ double closed_form_pressure(const FlowDiverter& device, double radius)
 
 }  // namespace
 
-class StraightTube : public testing::TestWithParam<std::pair<FlowDiverter, double>> {};
+struct TubeParameters {
+    std::string name;
+    FlowDiverter device;
+    double radius = 0.0;  ///< of the tube [m]
+};
+
+class StraightTube : public testing::TestWithParam<TubeParameters> {};
 
 TEST_P(StraightTube, GivesTheRadiusAndLengthOfTheTube)
 {
-    const auto [device, radius] = GetParam();
+    const auto& [name, device, radius] = GetParam();
     const TubeCase tube = deploy_in_tube(device, radius);
     ASSERT_TRUE(tube.deployment.converged);
     const DeploymentMeasures figures = measure(tube.deployment, device, tube.wall, 60e-6);
@@ -82,7 +89,7 @@ TEST_P(StraightTube, GivesTheRadiusAndLengthOfTheTube)
 
 TEST_P(StraightTube, GivesTheClosedFormPressure)
 {
-    const auto [device, radius] = GetParam();
+    const auto& [name, device, radius] = GetParam();
     const TubeCase tube = deploy_in_tube(device, radius);
     double force = 0.0, area = 0.0;
     const std::vector<double> areas = node_areas(tube.deployment.lattice, tube.deployment.nodes);
@@ -98,7 +105,7 @@ TEST_P(StraightTube, GivesTheClosedFormPressure)
 
 TEST_P(StraightTube, LeavesTheBraidUniform)
 {
-    const auto [device, radius] = GetParam();
+    const auto& [name, device, radius] = GetParam();
     const TubeCase tube = deploy_in_tube(device, radius);
     std::vector<double> areas;
     for (int ring = end_rings; ring < tube.deployment.lattice.num_rings - end_rings; ++ring) {
@@ -119,10 +126,12 @@ TEST_P(StraightTube, LeavesTheBraidUniform)
     EXPECT_LT(std::sqrt(variance) / mean, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Devices, StraightTube,
-                         testing::Values(std::pair{test::pipeline_4x20(), 1.85e-3},
-                                         std::pair{test::pipeline_4x20(), 1.6e-3},
-                                         std::pair{test::pipeline_5x20(), 1.9e-3},
-                                         std::pair{test::pipeline_5x20(), 2.4e-3}));
+INSTANTIATE_TEST_SUITE_P(
+    Devices, StraightTube,
+    testing::Values(TubeParameters{"Pipeline4InTube3p7", test::pipeline_4x20(), 1.85e-3},
+                    TubeParameters{"Pipeline4InTube3p2", test::pipeline_4x20(), 1.6e-3},
+                    TubeParameters{"Pipeline5InTube3p8", test::pipeline_5x20(), 1.9e-3},
+                    TubeParameters{"Pipeline5InTube4p8", test::pipeline_5x20(), 2.4e-3}),
+    [](const auto& info) { return info.param.name; });
 
 }  // namespace braidzone
