@@ -1,6 +1,8 @@
 #include "core/surface_caps.hpp"
 
 #include "core/mesh_topology.hpp"
+#include "core/vessel.hpp"
+#include "core/wall_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -88,6 +90,23 @@ bool is_round(const TriangleMesh& mesh, const std::vector<int>& region)
     return 4.0 * std::numbers::pi * area >= least_quotient * perimeter * perimeter;
 }
 
+/// True if the lumen behind a flat region is not much wider than the region.
+bool is_end_of_lumen(const TriangleMesh& mesh, const std::vector<int>& region, const WallTree& wall)
+{
+    constexpr double depth = 2.0, largest_distance = 1.5;  // over the region's radius
+    const Vec3 area = vector_area(mesh, region);
+    Vec3 centre = Vec3::Zero();
+    for (const int triangle : region) {
+        const std::array<int, 3>& corners = mesh.triangles[static_cast<std::size_t>(triangle)];
+        const double share = area_vector(mesh, triangle).dot(area) / area.squaredNorm();
+        for (const int corner : corners)
+            centre += share / 3.0 * mesh.points[static_cast<std::size_t>(corner)];
+    }
+    const double radius = std::sqrt(area.norm() / std::numbers::pi);
+    const Vec3 behind = centre - depth * radius * area.normalized();
+    return wall.nearest(behind).distance <= largest_distance * radius;
+}
+
 }  // namespace
 
 std::vector<std::vector<int>> flat_caps(const TriangleMesh& mesh, double angle_deg)
@@ -99,6 +118,12 @@ std::vector<std::vector<int>> flat_caps(const TriangleMesh& mesh, double angle_d
     std::erase_if(caps, [&](const std::vector<int>& region) {
         return !is_flat(mesh, region, angle_deg) || !is_round(mesh, region);
     });
+    if (caps.empty()) return caps;
+    Vessel surface;
+    surface.wall = mesh;
+    const WallTree wall(surface);
+    std::erase_if(caps,
+                  [&](const std::vector<int>& cap) { return !is_end_of_lumen(mesh, cap, wall); });
     double largest_area = 0.0;
     for (const std::vector<int>& cap : caps) {
         largest_area = std::max(largest_area, vector_area(mesh, cap).norm());

@@ -43,6 +43,19 @@ TEST(FlatCaps, AreFlatWithinTheAngle)
     EXPECT_EQ(flat_caps(mesh, 20.0).size(), 2u);
 }
 
+// A segmented wall is rough: a wart stands for it, 0.5 mm high, with a flat top of 0.5 x 0.5 mm
+// and steep sides. The lumen behind it is 4 mm wide.
+TEST(FlatCaps, AreNotTheFacetsOfARoughWall)
+{
+    constexpr int around = 48;
+    TriangleMesh mesh = test::capsule(2e-3, 10e-3, around, 40);
+    for (int ring = 30; ring < 33; ++ring) {
+        for (int side = 11; side < 14; ++side)  // the point 12 is at y = 2 mm
+            mesh.points[static_cast<std::size_t>(1 + ring * around + side)].y() = 2.5e-3;
+    }
+    EXPECT_TRUE(flat_caps(mesh, 5.0).empty());
+}
+
 TEST(FlatCaps, OfAnOpenTubeAreNone)
 {
     EXPECT_TRUE(flat_caps(test::tube(2e-3, 10e-3, 24, 10), 5.0).empty());

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <ostream>
 #include <string>
 
 namespace braidzone {
@@ -68,6 +69,11 @@ struct TubeParameters {
     FlowDiverter device;
     double radius = 0.0;  ///< of the tube [m]
 };
+
+void PrintTo(const TubeParameters& tube, std::ostream* out)
+{
+    *out << tube.name;
+}
 
 class StraightTube : public testing::TestWithParam<TubeParameters> {};
 
@@ -132,6 +138,6 @@ INSTANTIATE_TEST_SUITE_P(
                     TubeParameters{"Pipeline4InTube3p2", test::pipeline_4x20(), 1.6e-3},
                     TubeParameters{"Pipeline5InTube3p8", test::pipeline_5x20(), 1.9e-3},
                     TubeParameters{"Pipeline5InTube4p8", test::pipeline_5x20(), 2.4e-3}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& tube) { return tube.param.name; });
 
 }  // namespace braidzone
