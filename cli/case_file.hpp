@@ -31,7 +31,7 @@ struct VesselSource {
     int centerline_line = -1;         ///< which line of the file; -1: there must be one only
     bool reverse_centerline = false;  ///< the file's first point is the distal end
     /// Proximal and distal end of a computed centerline. Absent: the two openings, if there are
-    /// two.
+    /// two. Two points also open a closed surface with rounded ends, see `VesselOptions::ends`.
     std::optional<CenterlineEnd> from, to;
 };
 

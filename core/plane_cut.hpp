@@ -22,9 +22,9 @@ struct PlaneCut {
 /// @param mesh    manifold, normals outwards, closed or with rims that the section does not meet
 /// @param point   within the surface [m]
 /// @param normal  unit normal of the plane, towards the part to be removed
-/// @throws GeometryError if no closed section encloses the point, if it is smaller
-///         than the triangles there, or if the surface is still in one
-///         part when it is cut there, as a ring is
+/// @throws GeometryError if no closed section encloses the point, if it is smaller than the
+///         triangles there, or if the surface is still in one part when it is cut there, as a ring
+///         is
 PlaneCut cut_across(const TriangleMesh& mesh, const Vec3& point, const Vec3& normal);
 
 }  // namespace braidzone

@@ -18,8 +18,7 @@ struct VesselEnds {
 /// at the two points. The tangent is taken one and two radii inwards and extrapolated linearly, as
 /// rounded ends have no axis of their own. Radius there is the vessel's mean, 2 V / A, which is
 /// exact for a tube; V is the enclosed volume, A the area. Other parts of the vessel that the plane
-/// meets stay whole
-/// (`cut_across`). Side branches stay closed: they are dead ends.
+/// meets stay whole (`cut_across`). Side branches stay closed: they are dead ends.
 ///
 /// A cut is plausible if its section is at most twice as wide as the largest sphere that fits into
 /// the lumen beside it, and if the piece taken off stays within five of that sphere's radii from
@@ -27,9 +26,9 @@ struct VesselEnds {
 ///
 /// @param surface  sound and closed
 /// @param ends     in the lumen, near the tips: within a radius or two of them, say
+/// @return the surface with a plane rim at each end
 /// @throws GeometryError if a point is not in the lumen, the two are at one place, no path joins
 ///         them, a cut is not plausible, or the surface is not sound after it
-/// @return the surface with a plane rim at each end
 TriangleMesh open_rounded_ends(const TriangleMesh& surface, const VesselEnds& ends);
 
 }  // namespace braidzone
