@@ -44,6 +44,17 @@ TEST(MakeLattice, KeepsThreeRingsForTheShortestDevice)
     EXPECT_EQ(make_lattice(device).num_rings, 3);
 }
 
+// A quarter of each rhombus goes to each of its corners, so the shares add up to the rhombi.
+TEST(AreaShare, AddsUpToTheRhombi)
+{
+    const BraidLattice lattice = make_lattice(pipeline_4x20());
+    double shares = 0.0;
+    for (int ring = 0; ring < lattice.num_rings; ++ring) {
+        shares += lattice.nodes_per_ring * lattice.area_share(ring);
+    }
+    EXPECT_DOUBLE_EQ(shares, lattice.num_rhombi());
+}
+
 TEST(RhombusCorners, FormOneConnectedLatticeInWhichEveryNodeIsReached)
 {
     const BraidLattice lattice = make_lattice(pipeline_4x20());
