@@ -40,12 +40,14 @@ struct BraidLattice {
     double angle(int ring, int column) const;
     /// Area of the device's surface that an inner node stands for, force-free [m^2]: dL0 2 dR0.
     double node_area() const { return 2.0 * ring_spacing * arm_width; }
-    /// Rhombi around a node of a ring, out of four: 1/4 and 3/4 in the last rings at the ends,
-    /// else 1.
+    /// Rhombi around a node of a ring, out of four: it is the distal corner of one, the proximal of
+    /// another, and at the side of two, but for the rings at the ends.
     double area_share(int ring) const
     {
-        const int from_end = ring < num_rings - 1 - ring ? ring : num_rings - 1 - ring;
-        return from_end == 0 ? 0.25 : from_end == 1 ? 0.75 : 1.0;
+        const int distal = ring + 2 < num_rings ? 1 : 0;
+        const int proximal = ring >= 2 ? 1 : 0;
+        const int sides = ring >= 1 && ring + 1 < num_rings ? 2 : 0;
+        return 0.25 * (distal + proximal + sides);
     }
 };
 

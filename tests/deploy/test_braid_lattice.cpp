@@ -47,12 +47,16 @@ TEST(MakeLattice, KeepsThreeRingsForTheShortestDevice)
 // A quarter of each rhombus goes to each of its corners, so the shares add up to the rhombi.
 TEST(AreaShare, AddsUpToTheRhombi)
 {
-    const BraidLattice lattice = make_lattice(pipeline_4x20());
-    double shares = 0.0;
-    for (int ring = 0; ring < lattice.num_rings; ++ring) {
-        shares += lattice.nodes_per_ring * lattice.area_share(ring);
+    for (double length : {0.05e-3, 0.3e-3, 20e-3}) {
+        FlowDiverter device = pipeline_4x20();
+        device.nominal_length = length;
+        const BraidLattice lattice = make_lattice(device);
+        double shares = 0.0;
+        for (int ring = 0; ring < lattice.num_rings; ++ring) {
+            shares += lattice.nodes_per_ring * lattice.area_share(ring);
+        }
+        EXPECT_DOUBLE_EQ(shares, lattice.num_rhombi()) << length;
     }
-    EXPECT_DOUBLE_EQ(shares, lattice.num_rhombi());
 }
 
 TEST(RhombusCorners, FormOneConnectedLatticeInWhichEveryNodeIsReached)
