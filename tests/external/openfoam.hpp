@@ -12,9 +12,12 @@
 
 namespace braidzone::test {
 
-/// True if OpenFOAM's programs can be called.
+/// True if OpenFOAM's programs can be called. In continuous integration, where `./braidzone test`
+/// has just installed them, they are taken to be there: a test without them fails, and is not
+/// skipped.
 inline bool has_openfoam()
 {
+    if (std::getenv("CI") != nullptr) return true;
     return std::system("command -v simpleFoam > /dev/null 2>&1") == 0;
 }
 
