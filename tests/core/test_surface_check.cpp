@@ -8,20 +8,8 @@ namespace {
 
 using Pairs = std::vector<std::array<int, 2>>;
 
-TriangleMesh unit_box()
-{
-    return test::box(Vec3::Zero(), Vec3::Ones());
-}
-
-TriangleMesh joined(TriangleMesh mesh, const TriangleMesh& other)
-{
-    const int offset = static_cast<int>(mesh.points.size());
-    mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
-    for (const auto& [a, b, c] : other.triangles) {
-        mesh.triangles.push_back({a + offset, b + offset, c + offset});
-    }
-    return mesh;
-}
+using test::joined;
+using test::unit_box;
 
 TEST(FindDefects, FindsNoneInSoundSurfaces)
 {

@@ -130,4 +130,21 @@ inline TriangleMesh capsule(double radius, double length, int around, int along)
     });
 }
 
+/// The box from (0, 0, 0) to (1, 1, 1).
+inline TriangleMesh unit_box()
+{
+    return box(Vec3::Zero(), Vec3::Ones());
+}
+
+/// Two meshes as one; nothing is merged.
+inline TriangleMesh joined(TriangleMesh mesh, const TriangleMesh& other)
+{
+    const int offset = static_cast<int>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+    for (const auto& [a, b, c] : other.triangles) {
+        mesh.triangles.push_back({a + offset, b + offset, c + offset});
+    }
+    return mesh;
+}
+
 }  // namespace braidzone::test
