@@ -134,7 +134,7 @@ public:
     double largest_residual() const
     {
         const double per_displacement =
-            std::sqrt(scheme_.mass * coefficients_.radial) / scheme_.time_step;
+            std::sqrt(scheme_.mass * radial_stiffness(coefficients_.radial)) / scheme_.time_step;
         double largest = 0.0;
         for (int node = 0; node < num_released_ * lattice_.nodes_per_ring; ++node) {
             const std::size_t i = index(node);
@@ -247,7 +247,7 @@ Deployment deploy(const FlowDiverter& device, const Centerline& centerline, cons
             braid.step();
     }
     const double tolerance =
-        options.residual_tolerance * coefficients.radial * lattice.nominal_radius;
+        options.residual_tolerance * radial_stiffness(coefficients.radial) * lattice.nominal_radius;
     const int last_step = result.steps + options.max_settling_steps;
     while (braid.largest_residual() > tolerance && result.steps < last_step) {
         braid.step();

@@ -4,6 +4,7 @@
 #include "core/vessel.hpp"
 #include "core/wall_tree.hpp"
 #include "deploy/braid_lattice.hpp"
+#include "deploy/deploy_options.hpp"
 #include "deploy/flow_diverter.hpp"
 #include "deploy/release_schedule.hpp"
 
@@ -29,27 +30,6 @@ struct Deployment {
     double force_tolerance = 0.0;          ///< the criterion that it is compared with [N]
     bool converged = false;
     int steps = 0;
-};
-
-struct DeployOptions {
-    /// Rings shift in their plane to the middle of the lumen, see `ring_centring.hpp`;
-    /// otherwise their hubs stay on the centerline, as in the paper.
-    bool centre_rings = true;
-    /// Time step over the stability limit 2 / omega_max of the stiffest lattice mode.
-    double time_step_ratio = 0.6;
-    /// Damping k [kg/s] at unit mass. The paper takes 0.03 on its coarser lattice; the shape at
-    /// rest does not depend on it.
-    double damping = 0.2;
-    /// Bending over surface coefficient of the wires, see `wire_bending.hpp`. Below 0.1 a device
-    /// much narrower than nominal may fold; from 0.1 to 1 the mean radius in a tortuous vessel
-    /// changes by 0.2 %, the contact area by 6 %.
-    double bending_ratio = 0.25;
-    /// Steps between the release of one ring and the next.
-    int release_interval = 5;
-    /// Convergence: largest force on a free node, over c_radial (of a node) R0.
-    double residual_tolerance = 1e-4;
-    /// Steps after the last release before giving up.
-    int max_settling_steps = 50000;
 };
 
 /// Deploys a flow diverter in a vessel (Zavodszky et al. 2020, section 2).

@@ -15,11 +15,23 @@ Vec3 arm_force(const Vec3& node, const Vec3& other, double coefficient, double r
 
 }  // namespace
 
+namespace {
+
+RadialSpring radial_spring(const FlowDiverter& device, const BraidLattice& lattice)
+{
+    return {.rest_radius = lattice.nominal_radius,
+            .bending = device.radial_coefficient * lattice.node_area() / device.reference_node_area,
+            .torsion = 0.0,
+            .braid_ratio = device.braid_ratio};
+}
+
+}  // namespace
+
 SpringCoefficients spring_coefficients(const FlowDiverter& device, const BraidLattice& lattice,
                                        double bending_ratio)
 {
     return {.surface = device.surface_coefficient,
-            .radial = device.radial_coefficient * lattice.node_area() / device.reference_node_area,
+            .radial = radial_spring(device, lattice),
             .bending = bending_ratio * device.surface_coefficient};
 }
 
@@ -40,9 +52,8 @@ double elastic_energy(const BraidLattice& lattice, const SpringCoefficients& coe
                 }
             }
             const Vec3& hub = rings[static_cast<std::size_t>(ring)].origin;
-            const double compression = lattice.nominal_radius - (node - hub).norm();
             energy +=
-                0.5 * lattice.area_share(ring) * coefficients.radial * compression * compression;
+                lattice.area_share(ring) * radial_energy(coefficients.radial, (node - hub).norm());
         }
     }
     return energy;
@@ -74,16 +85,17 @@ Vec3 spring_force(const BraidLattice& lattice, const SpringCoefficients& coeffic
     const Vec3 outward = node - rings[static_cast<std::size_t>(ring)].origin;
     const double radius = outward.norm();
     if (radius > 0.0) {
-        force += lattice.area_share(ring) * coefficients.radial *
-                 (lattice.nominal_radius / radius - 1.0) * outward;
+        force +=
+            lattice.area_share(ring) * radial_force(coefficients.radial, radius) / radius * outward;
     }
     return force;
 }
 
 double largest_frequency(const SpringCoefficients& coefficients, double mass)
 {
-    return std::sqrt(
-        (8.0 * coefficients.surface + coefficients.radial + 32.0 * coefficients.bending) / mass);
+    return std::sqrt((8.0 * coefficients.surface + radial_stiffness(coefficients.radial) +
+                      32.0 * coefficients.bending) /
+                     mass);
 }
 
 }  // namespace braidzone

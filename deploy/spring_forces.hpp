@@ -3,6 +3,7 @@
 #include "core/centerline.hpp"
 #include "deploy/braid_lattice.hpp"
 #include "deploy/flow_diverter.hpp"
+#include "deploy/radial_spring.hpp"
 
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace braidzone {
 /// Coefficients of the lattice's springs (Zavodszky et al. 2020, equation 2 and Table 2).
 struct SpringCoefficients {
     double surface = 0.0;  ///< c_surface, of an arm [N/m]
-    double radial = 0.0;   ///< c_radial, of an inner node's radial spring [N/m]
+    RadialSpring radial;   ///< of an inner node
     double bending = 0.0;  ///< c_bending, of a wire between three crossings [N/m]
 };
 
@@ -27,10 +28,10 @@ SpringCoefficients spring_coefficients(const FlowDiverter& device, const BraidLa
 
 /// Elastic energy of the lattice [J]:
 ///
-///     E = sum over arms of c_surface (l - l0)^2 / 2 + sum over nodes of q c_radial (R0 - r)^2 / 2
+///     E = sum over arms of c_surface (l - l0)^2 / 2 + sum over nodes of q e(r)
 ///
-/// with l the length of the arm, r the distance of the node to the hub of its ring and q the share
-/// of `BraidLattice::area_share`.
+/// with l the length of the arm, r the distance of the node to the hub of its ring, e the energy of
+/// its radial spring (`radial_spring.hpp`) and q the share of `BraidLattice::area_share`.
 /// @param nodes  |N| x 3 [m]
 /// @param rings  one for each ring; the origin is the hub
 double elastic_energy(const BraidLattice& lattice, const SpringCoefficients& coefficients,
@@ -38,9 +39,10 @@ double elastic_energy(const BraidLattice& lattice, const SpringCoefficients& coe
 
 /// Force of its springs on a node: minus the gradient of the energy with respect to the node [N].
 ///
-///     F = sum over its arms of c_surface (l - l0) d / l  +  q c_radial (R0 - r) e_r
+///     F = sum over its arms of c_surface (l - l0) d / l  +  q f(r) e_r
 ///
-/// with d from the node to the other end of the arm and e_r from the hub to the node. A node on the
+/// with d from the node to the other end of the arm, e_r from the hub to the node and f the force
+/// of its radial spring. A node on the
 /// hub feels no radial force.
 Vec3 spring_force(const BraidLattice& lattice, const SpringCoefficients& coefficients,
                   const std::vector<Vec3>& nodes, const std::vector<CrossSection>& rings, int ring,

@@ -56,7 +56,7 @@ TEST(SpringCoefficients, ScaleTheRadialSpringWithTheAreaOfItsNode)
     const FlowDiverter device = test::pipeline_4x20();
     const SpringCoefficients c = spring_coefficients(device, make_lattice(device), 0.5);
     EXPECT_DOUBLE_EQ(c.surface, 0.6);
-    EXPECT_NEAR(c.radial, 0.018850, 1e-6);
+    EXPECT_NEAR(c.radial.bending, 0.018850, 1e-6);
     EXPECT_DOUBLE_EQ(c.bending, 0.3);
 }
 
@@ -77,7 +77,7 @@ TEST(SpringForce, MatchesTheClosedFormInAStraightTube)
     const double half_angle = std::numbers::pi / braid.lattice.nodes_per_ring;
     const double length =
         std::hypot(braid.lattice.ring_spacing, 2.0 * radius * std::sin(0.5 * half_angle));
-    const double expected = braid.coefficients.radial * (2e-3 - radius) +
+    const double expected = braid.coefficients.radial.bending * (2e-3 - radius) +
                             4.0 * braid.coefficients.surface * (braid.lattice.arm_length - length) *
                                 radius * (1.0 - std::cos(half_angle)) / length;
     const Vec3 outward =
@@ -127,8 +127,13 @@ TEST(SpringForce, IsMinusTheGradientOfTheEnergy)
 // sqrt((8 * 0.6 + 0.1 + 32 * 0.3) / 2) by hand.
 TEST(LargestFrequency, BoundsTheStiffnessOfArmsRadialSpringAndWires)
 {
-    EXPECT_DOUBLE_EQ(largest_frequency({.surface = 0.6, .radial = 0.1, .bending = 0.3}, 2.0),
-                     std::sqrt(14.5 / 2.0));
+    EXPECT_DOUBLE_EQ(
+        largest_frequency(
+            {.surface = 0.6,
+             .radial = {.rest_radius = 2e-3, .bending = 0.1, .torsion = 0.0, .braid_ratio = 0.4},
+             .bending = 0.3},
+            2.0),
+        std::sqrt(14.5 / 2.0));
 }
 
 }  // namespace braidzone

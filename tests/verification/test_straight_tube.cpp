@@ -56,7 +56,7 @@ double closed_form_pressure(const FlowDiverter& device, double radius)
     const double chord = 2.0 * radius * std::sin(0.5 * half_angle);
     const double arm = std::hypot(lattice.ring_spacing, chord);
     const double force =
-        c.radial * (lattice.nominal_radius - radius) +
+        c.radial.bending * (lattice.nominal_radius - radius) +
         4.0 * c.surface * (lattice.arm_length - arm) * radius * (1.0 - std::cos(half_angle)) / arm;
     return device.force_scale * force /
            (lattice.ring_spacing * 2.0 * std::numbers::pi * radius / lattice.nodes_per_ring);
