@@ -1,60 +1,16 @@
 #include "cli/case_file.hpp"
 
+#include "cli/key_checks.hpp"
 #include "core/error.hpp"
-#include "core/nearest_name.hpp"
 #include "core/toml_reader.hpp"
 #include "deploy/device_library.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace braidzone {
 namespace {
-
-double require_positive(const TomlTable& table, const std::string& key, double value,
-                        double highest = std::numeric_limits<double>::infinity())
-{
-    if (value > 0.0 && value <= highest) return value;
-    throw ConfigError(fmt::format("{} = {:.6g} is out of range; it must be positive{}",
-                                  table.where(key), value,
-                                  value > highest ? fmt::format(", {:.6g} at most", highest) : ""));
-}
-
-double require_not_negative(const TomlTable& table, const std::string& key, double value)
-{
-    if (value >= 0.0) return value;
-    throw ConfigError(fmt::format("{} = {:.6g} is negative", table.where(key), value));
-}
-
-double positive_or(const TomlTable& table, const std::string& key, Dimension dimension,
-                   double fallback)
-{
-    const double value = table.quantity_or(key, dimension, fallback);
-    if (value > 0.0) return value;
-    throw ConfigError(fmt::format("{} = {:.6g} {} is out of range; it must be positive",
-                                  table.where(key), value, si_unit(dimension)));
-}
-
-int integer_in_range(const TomlTable& table, const std::string& key, int fallback, int lowest,
-                     int highest)
-{
-    const long value = table.integer_or(key, fallback);
-    if (value >= lowest && value <= highest) return static_cast<int>(value);
-    throw ConfigError(fmt::format("{} = {} is out of range; allowed are {} to {}", table.where(key),
-                                  value, lowest, highest));
-}
-
-/// A name out of a list.
-std::string one_of(const TomlTable& table, const std::string& key, const std::string& fallback,
-                   const std::vector<std::string>& allowed)
-{
-    const std::string name = table.text_or(key, fallback);
-    if (std::find(allowed.begin(), allowed.end(), name) != allowed.end()) return name;
-    throw ConfigError(fmt::format("{} = \"{}\" is not known{}", table.where(key), name,
-                                  did_you_mean(name, allowed)));
-}
 
 std::filesystem::path read_path(const TomlTable& table, const std::string& key)
 {
@@ -114,48 +70,6 @@ VesselSource read_vessel(const TomlTable& table)
         }
     }
     return vessel;
-}
-
-PlaceOnCenterline read_place(const TomlTable& table, const std::string& key)
-{
-    if (table.is_array(key)) return table.point(key);
-    return table.quantity(key, Dimension::length);
-}
-
-ReleaseSchedule read_schedule(const TomlTable& table)
-{
-    ReleaseSchedule schedule;
-    for (const TomlTable& window : table.tables("push_pull")) {
-        schedule.windows.push_back({window.quantity("from", Dimension::length),
-                                    window.quantity("to", Dimension::length),
-                                    window.number("spacing")});
-    }
-    try {
-        validate(schedule);
-    } catch (const ConfigError& error) {
-        throw ConfigError(fmt::format("{}: {}", table.where("push_pull"), error.what()));
-    }
-    return schedule;
-}
-
-DeployOptions read_deploy_options(const TomlTable& table)
-{
-    DeployOptions options;
-    // At 1 the scheme is at the limit of stability.
-    options.time_step_ratio = require_positive(
-        table, "time_step_ratio", table.number_or("time_step_ratio", options.time_step_ratio), 1.0);
-    options.damping = positive_or(table, "damping", Dimension::damping, options.damping);
-    options.centre_rings = table.boolean_or("centre_rings", options.centre_rings);
-    options.bending_ratio = require_not_negative(
-        table, "bending_ratio", table.number_or("bending_ratio", options.bending_ratio));
-    options.release_interval =
-        integer_in_range(table, "release_interval", options.release_interval, 1, 1000000);
-    options.residual_tolerance =
-        require_positive(table, "residual_tolerance",
-                         table.number_or("residual_tolerance", options.residual_tolerance), 1.0);
-    options.max_settling_steps =
-        integer_in_range(table, "max_settling_steps", options.max_settling_steps, 1, 1000000000);
-    return options;
 }
 
 Fluid read_fluid(const TomlTable& table)
@@ -234,6 +148,17 @@ Exports read_exports(const std::vector<TomlTable>& tables)
     return exports;
 }
 
+std::optional<SecondDevice> read_second_device(const TomlTable& root)
+{
+    if (!root.has("second_device")) return std::nullopt;
+    const TomlTable table = root.table("second_device");
+    SecondDevice second;
+    second.device = read_device(table, second.notes);
+    second.landing_distal = read_place(table, "landing_distal");
+    second.schedule = read_schedule(table);
+    return second;
+}
+
 }  // namespace
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
@@ -243,10 +168,12 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     job.file = std::filesystem::absolute(file).lexically_normal();
     job.vessel = read_vessel(root.table("vessel"));
     job.device = read_device(root.table("device"), job.device_notes);
-    const TomlTable deployment = root.table("deployment");
-    job.landing_distal = read_place(deployment, "landing_distal");
-    job.schedule = read_schedule(deployment);
-    job.deployment = read_deploy_options(deployment);
+    const DeploymentKeys deployment = read_deployment_keys(root.table("deployment"));
+    job.landing_distal = deployment.landing_distal;
+    job.schedule = deployment.schedule;
+    job.deployment = deployment.options;
+    job.neck = deployment.neck;
+    job.second_device = read_second_device(root);
     job.fluid = read_fluid(root.table_or_empty("fluid"));
     const TomlTable porous = root.table_or_empty("porous");
     job.law = read_law(porous);

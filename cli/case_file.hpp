@@ -1,11 +1,10 @@
 #pragma once
 
+#include "cli/deployment_keys.hpp"
 #include "core/fluid.hpp"
 #include "core/length_unit.hpp"
 #include "core/vector.hpp"
-#include "deploy/deployment.hpp"
 #include "deploy/flow_diverter.hpp"
-#include "deploy/release_schedule.hpp"
 #include "export/foam_case.hpp"
 #include "porous/porous_field.hpp"
 #include "porous/resistance_law.hpp"
@@ -35,14 +34,19 @@ struct VesselSource {
     std::optional<CenterlineEnd> from, to;
 };
 
-/// A place along the vessel: an arc length of the centerline [m], or a point [m], which stands for
-/// the nearest arc length.
-using PlaceOnCenterline = std::variant<double, Vec3>;
-
 /// What to write for solvers: [[export]]. The VTK and OpenVDB files are always written; naming
 /// them is allowed.
 struct Exports {
     std::optional<FoamCaseOptions> openfoam;  ///< openfoam/; on by default, without any [[export]]
+};
+
+/// A device that is deployed inside the first one: [second_device]. Its other options are those of
+/// [deployment].
+struct SecondDevice {
+    FlowDiverter device;
+    std::vector<std::string> notes;  ///< as `Case::device_notes`
+    PlaceOnCenterline landing_distal = 0.0;
+    ReleaseSchedule schedule;
 };
 
 /// A case file's content, in SI units.
@@ -54,6 +58,8 @@ struct Case {
     PlaceOnCenterline landing_distal = 0.0;
     ReleaseSchedule schedule;
     DeployOptions deployment;
+    std::optional<ArcRange> neck;  ///< found if absent
+    std::optional<SecondDevice> second_device;
     Fluid fluid;
     ResistanceLaw law;
     SheetOptions sheet;

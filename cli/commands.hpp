@@ -15,10 +15,12 @@ struct CommonOptions {
     std::vector<std::string> overrides;  ///< "section.key=value"
     bool quiet = false;
     bool force = false;
+    std::optional<int> num_frames;  ///< in place of deployment.num_frames
 };
 
 /// run, deploy, porous, export: computes a case as far as `last` and writes the results.
-/// `output`: the folder; default `<case name>.out` beside the case.
+/// `output`: the folder; default `<case name>.out` beside the case. `num_frames`: shapes of the
+/// deployment to write as a time series.
 void run_case(const std::filesystem::path& case_file, Stage last, const CommonOptions& options);
 
 /// export --onto: applies the device of a case to an existing OpenFOAM mesh.

@@ -24,12 +24,21 @@ std::string_view word(Confidence confidence)
     return "low";
 }
 
+/// "springs, wire-theory", the first being the default; "-" for an incomplete device.
+std::string forces(const DeviceModel& model)
+{
+    std::vector<std::string_view> names;
+    for (const ForceSource source : model.force_sources)
+        names.push_back(force_source_name(source));
+    return names.empty() ? "-" : fmt::format("{}", fmt::join(names, ", "));
+}
+
 void list_devices(const std::vector<DeviceModel>& models)
 {
-    fmt::print("{:<20}{:<12}{}\n", "name", "values", "device");
+    fmt::print("{:<20}{:<12}{:<22}{}\n", "name", "values", "forces from", "device");
     for (const DeviceModel& model : models) {
-        fmt::print("{:<20}{:<12}{}\n", model.name, model.complete ? "complete" : "incomplete",
-                   model.title);
+        fmt::print("{:<20}{:<12}{:<22}{}\n", model.name, model.complete ? "complete" : "incomplete",
+                   forces(model), model.title);
     }
     fmt::print(
         "\nAn incomplete device needs its missing values in [device] of the case file;\n"
@@ -43,6 +52,7 @@ void show_device(const DeviceModel& model)
         fmt::print("{:<22}{}\n{:<22}confidence {}: {}\n", value.name, value.value, "",
                    word(value.confidence), value.source);
     }
+    if (model.complete) fmt::print("\nforces from: {}\n", forces(model));
     if (!model.complete) fmt::print("\nnot known: {}\n", fmt::join(model.missing, ", "));
 }
 

@@ -64,6 +64,9 @@ void add_run_verbs(CLI::App& app, Arguments& arguments)
         });
         add_output_options(verb, arguments.common,
                            "folder for the results (default: CASE.out beside the case)");
+        verb.add_option("--frames", arguments.common.num_frames,
+                        "write that many shapes of the deployment as a time series (frames.pvd)")
+            ->check(CLI::Range(0, 10000));
     };
     add("run", "deploy the device, compute its flow resistance, write everything", Stage::exports);
     add("deploy", "the deployment alone", Stage::deploy);

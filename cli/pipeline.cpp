@@ -2,6 +2,7 @@
 
 #include "cli/case_geometry.hpp"
 #include "core/error.hpp"
+#include "deploy/device_lining.hpp"
 #include "porous/braid_surface.hpp"
 
 #include <fmt/format.h>
@@ -20,6 +21,42 @@ void require_convergence(const Deployment& deployment)
                     deployment.steps, deployment.max_force_residual, deployment.force_tolerance));
 }
 
+/// A device at rest in the vessel, or in what lines it.
+Deployment deploy_to_rest(const FlowDiverter& device, const PlaceOnCenterline& landing,
+                          const ReleaseSchedule& schedule, const DeployOptions& options,
+                          const Centerline& centerline, const WallTree& wall)
+{
+    Deployment deployment =
+        deploy(device, centerline, wall, arc_length_at(landing, centerline), schedule, options);
+    require_convergence(deployment);
+    return deployment;
+}
+
+ResistanceSheet resistance_of(const Case& job, const Deployment& deployment,
+                              const FlowDiverter& device)
+{
+    return make_resistance_sheet(make_braid_surface(deployment, device), job.law, job.fluid,
+                                 job.sheet);
+}
+
+Deployment deploy_second(const Case& job, const SecondDevice& second, const Deployment& first,
+                         const Vessel& vessel, const Centerline& centerline)
+{
+    const WallTree lined_wall(vessel, inner_surface(first, job.device.wire_diameter));
+    try {
+        Deployment deployment =
+            deploy_to_rest(second.device, second.landing_distal, second.schedule, job.deployment,
+                           centerline, lined_wall);
+        measure_wall_distance_through(deployment, first, lined_wall,
+                                      static_cast<int>(vessel.wall.triangles.size()));
+        return deployment;
+    } catch (const GeometryError& error) {
+        throw GeometryError(fmt::format("second_device: {}", error.what()));
+    } catch (const ConvergenceError& error) {
+        throw ConvergenceError(fmt::format("second_device: {}", error.what()));
+    }
+}
+
 }  // namespace
 
 Chain run_chain(const Case& job, Stage last, Progress& progress)
@@ -29,22 +66,33 @@ Chain run_chain(const Case& job, Stage last, Progress& progress)
     WallTree wall(vessel);
     progress.begin("centerline", "finding the centerline");
     Centerline centerline = resample(find_centerline(job.vessel, vessel, wall));
-    const double landing = arc_length_at(job.landing_distal, centerline);
     progress.begin("deploy", "deploying the device");
-    Deployment deployment =
-        deploy(job.device, centerline, wall, landing, job.schedule, job.deployment);
-    require_convergence(deployment);
+    Deployment deployment = deploy_to_rest(job.device, job.landing_distal, job.schedule,
+                                           job.deployment, centerline, wall);
+    const NeckOptions neck{.given = job.neck};
+    std::vector<WallOpening> openings = find_openings(deployment, wall, neck);
+    std::optional<SecondDeployment> second;
+    if (job.second_device) {
+        second.emplace();
+        second->deployment = deploy_second(job, *job.second_device, deployment, vessel, centerline);
+        second->openings = find_openings(second->deployment, wall, neck);
+    }
     progress.begin("porous", "computing the flow resistance");
-    const BraidSurface surface = make_braid_surface(deployment, job.device);
-    ResistanceSheet sheet = make_resistance_sheet(surface, job.law, job.fluid, job.sheet);
+    ResistanceSheet sheet = resistance_of(job, deployment, job.device);
+    ResistanceSheet resistance = sheet;
+    if (second) {
+        second->sheet = resistance_of(job, second->deployment, job.second_device->device);
+        resistance = joined(sheet, second->sheet);
+    }
     std::optional<PorousField> field;
-    if (last != Stage::deploy) field = deposit(sheet, vessel, job.deposit);
+    if (last != Stage::deploy) field = deposit(resistance, vessel, job.deposit);
     progress.end();
-    return {std::move(vessel),     std::move(wall),  std::move(centerline),
-            std::move(deployment), std::move(sheet), std::move(field)};
+    return {std::move(vessel),     std::move(wall),       std::move(centerline),
+            std::move(deployment), std::move(openings),   std::move(sheet),
+            std::move(second),     std::move(resistance), std::move(field)};
 }
 
-double neck_gap(const FlowDiverter& device)
+double wall_gap(const FlowDiverter& device)
 {
     return 3.0 * device.wire_diameter;
 }

@@ -6,15 +6,24 @@
 #include "core/vessel.hpp"
 #include "core/wall_tree.hpp"
 #include "deploy/deployment.hpp"
+#include "deploy/neck.hpp"
 #include "porous/porous_field.hpp"
 #include "porous/resistance_sheet.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace braidzone {
 
 /// How far the chain goes.
 enum class Stage { deploy, porous, exports };
+
+/// A device that was deployed inside the first one.
+struct SecondDeployment {
+    Deployment deployment;  ///< wall distances through the first device to the vessel's wall
+    std::vector<WallOpening> openings;
+    ResistanceSheet sheet;
+};
 
 /// The values of the chain, each made from those before it.
 struct Chain {
@@ -22,7 +31,10 @@ struct Chain {
     WallTree wall;
     Centerline centerline;
     Deployment deployment;
-    ResistanceSheet sheet;
+    std::vector<WallOpening> openings;  ///< behind the device, the neck first
+    ResistanceSheet sheet;              ///< of the device
+    std::optional<SecondDeployment> second;
+    ResistanceSheet resistance;        ///< of all devices
     std::optional<PorousField> field;  ///< absent if the chain ends with the deployment
 };
 
@@ -31,11 +43,14 @@ struct Chain {
 ///     Vessel + Centerline + FlowDiverter -> Deployment -> BraidSurface -> ResistanceSheet
 ///         -> PorousField
 ///
+/// A second device comes to rest on the vessel's wall and on the inner surface of the first one
+/// (`device_lining.hpp`), which it does not move.
+///
 /// @throws ConvergenceError if the deployment does not come to rest; else what the steps throw
 Chain run_chain(const Case& job, Stage last, Progress& progress);
 
 /// Distance from the wall above which a device counts as free of it [m]: three wire diameters,
 /// where its resistance acts in full (`ResistanceSheet::acting`).
-double neck_gap(const FlowDiverter& device);
+double wall_gap(const FlowDiverter& device);
 
 }  // namespace braidzone

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace braidzone {
 namespace {
 
@@ -42,19 +44,33 @@ Json vessel_section(const VesselSource& vessel)
 
 Json device_section(const FlowDiverter& device)
 {
-    return {
-        {"name", device.name},
-        {"diameter", length(device.nominal_diameter)},
-        {"length", length(device.nominal_length)},
-        {"any_size", true},  // the size was checked when the case was read
-        {"num_wires", device.num_wires},
-        {"wire_diameter", length(device.wire_diameter)},
-        {"braid_ratio", device.braid_ratio},
-        {"catheter_diameter", length(device.catheter_diameter)},
-        {"surface_coefficient", format_quantity(device.surface_coefficient, Dimension::stiffness)},
-        {"radial_coefficient", format_quantity(device.radial_coefficient, Dimension::stiffness)},
-        {"reference_node_area", format_quantity(device.reference_node_area, Dimension::area)},
-        {"force_scale", device.force_scale}};
+    const auto stiffness = [](double value) {
+        return format_quantity(value, Dimension::stiffness);
+    };
+    Json section = {{"name", device.name},
+                    {"diameter", length(device.nominal_diameter)},
+                    {"length", length(device.nominal_length)},
+                    {"any_size", true},  // the size was checked when the case was read
+                    {"num_wires", device.num_wires},
+                    {"wire_diameter", length(device.wire_diameter)},
+                    {"braid_ratio", device.braid_ratio},
+                    {"catheter_diameter", length(device.catheter_diameter)},
+                    {"forces", force_source_name(device.forces)},
+                    {"poisson_ratio", device.poisson_ratio},
+                    {"distal_flare", length(device.distal_flare)},
+                    {"proximal_flare", length(device.proximal_flare)},
+                    {"flare_length", length(device.flare_length)}};
+    // Values that are not known are 0 in the device and absent here.
+    if (device.youngs_modulus > 0.0)
+        section["youngs_modulus"] = format_quantity(device.youngs_modulus, Dimension::pressure);
+    if (device.surface_coefficient > 0.0) {
+        section["surface_coefficient"] = stiffness(device.surface_coefficient);
+        section["radial_coefficient"] = stiffness(device.radial_coefficient);
+        section["reference_node_area"] =
+            format_quantity(device.reference_node_area, Dimension::area);
+        section["force_scale"] = device.force_scale;
+    }
+    return section;
 }
 
 Json deployment_section(const Case& job)
@@ -66,6 +82,21 @@ Json deployment_section(const Case& job)
     } else {
         section["landing_distal"] = point(std::get<Vec3>(job.landing_distal));
     }
+    section["lattice"] = name_of(options.lattice);
+    section["axial"] = name_of(options.axial);
+    section["release_order"] = name_of(options.release_order);
+    section["motion"] = name_of(options.motion);
+    section["ring_hub"] = name_of(options.ring_hub);
+    section["hoop_migration"] = options.hoop_migration;
+    if (std::isfinite(options.friction)) {
+        section["friction"] = options.friction;
+    } else {
+        section["friction"] = "infinite";
+    }
+    if (std::isfinite(options.wall_stiffness)) {
+        section["wall_stiffness"] =
+            format_quantity(options.wall_stiffness, Dimension::wall_stiffness);
+    }
     section["time_step_ratio"] = options.time_step_ratio;
     section["damping"] = format_quantity(options.damping, Dimension::damping);
     section["centre_rings"] = options.centre_rings;
@@ -73,6 +104,7 @@ Json deployment_section(const Case& job)
     section["release_interval"] = options.release_interval;
     section["residual_tolerance"] = options.residual_tolerance;
     section["max_settling_steps"] = options.max_settling_steps;
+    section["num_frames"] = options.num_frames;
     Json windows = Json::array();
     for (const PushPull& window : job.schedule.windows) {
         windows.push_back({{"from", length(window.from)},
@@ -80,6 +112,9 @@ Json deployment_section(const Case& job)
                            {"spacing", window.spacing}});
     }
     if (!windows.empty()) section["push_pull"] = windows;
+    section["release"] = name_of(job.schedule.mode);
+    if (!job.schedule.table_file.empty())
+        section["spacing_table"] = job.schedule.table_file.string();
     return section;
 }
 

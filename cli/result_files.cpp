@@ -7,6 +7,7 @@
 #include "export/field_vdb.hpp"
 #include "export/field_vti.hpp"
 #include "export/foam_case.hpp"
+#include "export/frames_vtp.hpp"
 #include "export/unrolled.hpp"
 #include "export/wires_vtp.hpp"
 
@@ -48,13 +49,23 @@ void write_case_copy(const Case& job, const fs::path& folder)
     if (!text.flush()) throw IoError(fmt::format("{} cannot be written", file.string()));
 }
 
+/// Writes the largest force on a free node on the way to rest.
+void write_residuals(const fs::path& path, const Deployment& deployment)
+{
+    std::ofstream text(path);
+    text << "step,max_force_residual_N\n";
+    for (const ResidualSample& sample : deployment.residual_history)
+        text << fmt::format("{},{:.6g}\n", sample.step, sample.residual);
+    if (!text.flush()) throw IoError(fmt::format("{} cannot be written", path.string()));
+}
+
 void write_foam(const Case& job, const Chain& chain, const fs::path& folder)
 {
     FoamCaseOptions options = *job.exports.openfoam;
     options.inlet = nearest_opening(chain.vessel, chain.centerline.sections.front().origin);
     options.program = fs::read_symlink("/proc/self/exe").string();
     options.case_file = "braidzone/case.toml";
-    write_foam_case(folder, chain.vessel, chain.sheet, job.fluid, options);
+    write_foam_case(folder, chain.vessel, chain.resistance, job.fluid, options);
     write_case_copy(job, folder / "braidzone");
 }
 
@@ -67,6 +78,16 @@ void write_results(const Case& job, const Chain& chain, Stage last, const fs::pa
     write_wires(folder / "wires.vtp", chain.deployment, job.device.wire_diameter, unit);
     write_unrolled(folder / "unrolled.vtp", chain.deployment, chain.sheet, unit);
     write_unrolled_picture(folder / "unrolled.png", chain.deployment, chain.sheet);
+    write_residuals(folder / "residuals.csv", chain.deployment);
+    if (!chain.deployment.frames.empty()) {
+        write_frames(folder, chain.deployment.lattice, chain.deployment.frames, unit);
+    }
+    if (chain.second) {
+        const SecondDeployment& second = *chain.second;
+        write_device(folder / "second_device.vtp", second.deployment, second.sheet, unit);
+        write_wires(folder / "second_wires.vtp", second.deployment,
+                    job.second_device->device.wire_diameter, unit);
+    }
     if (chain.field) {
         write_field_vdb(folder / "field.vdb", *chain.field, unit);
         write_field_vti(folder / "field.vti", *chain.field, unit);

@@ -35,7 +35,8 @@ std::string title(const Case& job)
 
 void run_case(const std::filesystem::path& case_file, Stage last, const CommonOptions& options)
 {
-    const Case job = read_case(case_file, options.overrides);
+    Case job = read_case(case_file, options.overrides);
+    job.deployment.num_frames = options.num_frames.value_or(job.deployment.num_frames);
     OutputFolder folder(options.output.value_or(default_output(case_file)), options.force);
     Progress progress(options.quiet);
 
@@ -59,7 +60,7 @@ void apply_case_to_foam(const std::filesystem::path& case_file,
     Progress progress(options.quiet);
     const Chain chain = run_chain(job, Stage::deploy, progress);
     progress.begin("export", "applying the resistance to the mesh");
-    const FoamApplication applied = apply_to_foam_case(foam_case, chain.sheet);
+    const FoamApplication applied = apply_to_foam_case(foam_case, chain.resistance);
     progress.end();
 
     for (const std::string& warning : applied.warnings)

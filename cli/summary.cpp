@@ -41,37 +41,109 @@ double peak_memory()
     return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-Json quantities(const Case& job, const Chain& chain, const Progress& progress)
+/// A device at rest, with what is measured on it.
+struct DeployedDevice {
+    const FlowDiverter& device;
+    const Deployment& deployment;
+    const std::vector<WallOpening>& openings;
+    const ResistanceSheet& sheet;
+};
+
+/// One figure of a zone, or null where the zone is absent.
+Json of_zone(const std::optional<ZoneMeasures>& zone, double ZoneMeasures::*figure,
+             const char* unit)
 {
-    const double gap = neck_gap(job.device);
-    const DeploymentMeasures device = measure(chain.deployment, job.device, chain.wall, gap);
-    const BraidMeasures braid = measure(chain.sheet.surface, gap);
-    std::optional<double> field_integral;
-    if (chain.field) field_integral = resistance_integral(*chain.field);
+    return zone ? quantity((*zone).*figure, unit) : Json(nullptr);
+}
+
+Json of_gaps(const std::optional<GapMeasures>& gaps, double GapMeasures::*figure)
+{
+    return gaps ? quantity((*gaps).*figure, "m") : Json(nullptr);
+}
+
+Json device_quantities(const DeployedDevice& deployed, const WallTree& wall)
+{
+    const DeploymentMeasures device = measure(deployed.deployment, deployed.device, wall,
+                                              wall_gap(deployed.device), deployed.openings);
+    const BraidMeasures braid =
+        measure(deployed.sheet.surface, neck_parts(deployed.deployment, deployed.openings));
+    constexpr auto contact = &ZoneMeasures::contact_area_fraction;
+    constexpr auto force = &ZoneMeasures::radial_force_per_length;
+    const auto neck_end = [&](double ArcRange::*end) {
+        return device.neck_range ? quantity((*device.neck_range).*end, "m") : Json(nullptr);
+    };
     return {
         {"implanted_length", quantity(device.implanted_length, "m")},
         {"resting_length", quantity(device.resting_length, "m")},
         {"foreshortening", quantity(device.foreshortening, "1")},
+        {"foreshortening_label", quantity(device.foreshortening_label, "1")},
         {"mean_radial_expansion", quantity(device.mean_radial_expansion, "m")},
         {"mean_radial_expansion_neck", quantity(device.mean_radial_expansion_neck, "m")},
         {"mean_density_increase", quantity(braid.mean_density_increase, "1")},
         {"mean_density_increase_neck", quantity(braid.mean_density_increase_neck, "1")},
+        {"mean_density_increase_neck_rings", quantity(braid.mean_density_increase_neck_rings, "1")},
         {"mean_contact_pressure", quantity(device.mean_contact_pressure, "Pa")},
+        {"mean_contact_pressure_reference", quantity(device.mean_contact_pressure_reference, "Pa")},
         {"max_contact_pressure", quantity(device.max_contact_pressure, "Pa")},
         {"radial_force_per_length", quantity(device.radial_force_per_length, "N/m")},
+        {"radial_force_per_length_distal", of_zone(device.distal_landing, force, "N/m")},
+        {"radial_force_per_length_neck", of_zone(device.neck, force, "N/m")},
+        {"radial_force_per_length_proximal", of_zone(device.proximal_landing, force, "N/m")},
         {"contact_area_fraction", quantity(device.contact_area_fraction, "1")},
+        {"contact_area_fraction_distal", of_zone(device.distal_landing, contact, "1")},
+        {"contact_area_fraction_neck", of_zone(device.neck, contact, "1")},
+        {"contact_area_fraction_proximal", of_zone(device.proximal_landing, contact, "1")},
         {"malapposed_area", quantity(device.malapposed_area, "m^2")},
+        {"malapposition_gap_mean", of_gaps(device.malapposition_gap, &GapMeasures::mean)},
+        {"malapposition_gap_95", of_gaps(device.malapposition_gap, &GapMeasures::percentile_95)},
+        {"malapposition_gap_max", of_gaps(device.malapposition_gap, &GapMeasures::max)},
+        {"neck_from", neck_end(&ArcRange::from)},
+        {"neck_to", neck_end(&ArcRange::to)},
+        {"neck_area", quantity(device.neck_area, "m^2")},
         {"mean_metal_coverage", quantity(braid.mean_metal_coverage, "1")},
         {"mean_metal_coverage_neck", quantity(braid.mean_metal_coverage_neck, "1")},
         {"mean_pore_density_neck", quantity(braid.mean_pore_density_neck, "1/m^2")},
         {"wire_length", quantity(braid.wire_length, "m")},
         {"metal_volume", quantity(braid.metal_volume, "m^3")},
         {"device_area", quantity(braid.device_area, "m^2")},
-        {"resistance_integral_surface", quantity(resistance_integral(chain.sheet), "m")},
-        {"resistance_integral_field", quantity(field_integral, "m")},
-        {"max_force_residual", quantity(chain.deployment.max_force_residual, "N")},
+        {"resistance_integral_surface", quantity(resistance_integral(deployed.sheet), "m")},
+        {"max_force_residual", quantity(deployed.deployment.max_force_residual, "N")},
         {"inverted_rhombi", quantity(device.inverted_rhombi, "1")},
         {"nodes_outside_vessel", quantity(device.nodes_outside_vessel, "1")},
+    };
+}
+
+Json lattice_of(const Deployment& deployment)
+{
+    return {{"num_rings", deployment.lattice.num_rings},
+            {"nodes_per_ring", deployment.lattice.nodes_per_ring},
+            {"steps", deployment.steps},
+            {"force_tolerance", quantity(deployment.force_tolerance, "N")}};
+}
+
+/// The parts of the device behind which the vessel opens, the neck first.
+Json openings_of(const DeployedDevice& deployed)
+{
+    const std::vector<double>& places = deployed.deployment.ring_arc_length;
+    Json openings = Json::array();
+    for (const WallOpening& opening : deployed.openings) {
+        const auto place = [&](int ring) { return places[static_cast<std::size_t>(ring)]; };
+        openings.push_back({{"from", quantity(place(opening.proximal_ring), "m")},
+                            {"to", quantity(place(opening.distal_ring), "m")},
+                            {"area", quantity(opening.area, "m^2")},
+                            {"num_nodes", opening.nodes.size()}});
+    }
+    return openings;
+}
+
+/// What belongs to the run rather than to one of its devices.
+Json run_quantities(const Chain& chain, const Progress& progress)
+{
+    std::optional<double> field_integral;
+    if (chain.field) field_integral = resistance_integral(*chain.field);
+    return {
+        {"resistance_integral_surface", quantity(resistance_integral(chain.resistance), "m")},
+        {"resistance_integral_field", quantity(field_integral, "m")},
         {"time_deploy", quantity(progress.seconds("deploy"), "s")},
         {"time_porous", quantity(progress.seconds("porous"), "s")},
         {"time_export", quantity(progress.seconds("export"), "s")},
@@ -95,9 +167,18 @@ Json input_files(const Case& job)
 std::vector<std::string> warnings(const Case& job, const Chain& chain)
 {
     std::vector<std::string> all = job.device_notes;
-    all.insert(all.end(), chain.vessel.notes.begin(), chain.vessel.notes.end());
-    const auto of_law = range_warnings(job.law, chain.sheet.surface.rhombi);
-    all.insert(all.end(), of_law.begin(), of_law.end());
+    const auto add = [&](const std::vector<std::string>& more) {
+        all.insert(all.end(), more.begin(), more.end());
+    };
+    if (job.second_device) add(job.second_device->notes);
+    add(chain.vessel.notes);
+    add(range_warnings(job.law, chain.resistance.surface.rhombi));
+    if (job.neck && chain.openings.front().nodes.empty()) {
+        all.push_back(fmt::format(
+            "deployment.neck = {:.6g} to {:.6g} mm: the vessel does not open there; figures of the "
+            "neck itself are null, those of its zone are of all that stretch",
+            1e3 * job.neck->from, 1e3 * job.neck->to));
+    }
     return all;
 }
 
@@ -110,20 +191,29 @@ Json summarise(const Case& job, const Chain& chain, const Progress& progress,
     for (const StageTime& time : progress.times()) {
         stages[time.stage] = quantity(time.seconds, "s");
     }
-    const BraidLattice& lattice = chain.deployment.lattice;
-    return {{"program", program_name},
-            {"quantities", quantities(job, chain, progress)},
-            {"lattice",
-             {{"num_rings", lattice.num_rings},
-              {"nodes_per_ring", lattice.nodes_per_ring},
-              {"steps", chain.deployment.steps},
-              {"force_tolerance", quantity(chain.deployment.force_tolerance, "N")}}},
-            {"case", resolved_case(job)},
-            {"inputs", input_files(job)},
-            {"versions", library_versions()},
-            {"stages", stages},
-            {"files", files},
-            {"warnings", warnings(job, chain)}};
+    const DeployedDevice first{job.device, chain.deployment, chain.openings, chain.sheet};
+    Json quantities = device_quantities(first, chain.wall);
+    quantities.update(run_quantities(chain, progress));
+    Json summary = {{"program", program_name},
+                    {"quantities", quantities},
+                    {"force_origin", force_origin(job.device)},
+                    {"openings", openings_of(first)},
+                    {"lattice", lattice_of(chain.deployment)}};
+    if (chain.second) {
+        const DeployedDevice second{job.second_device->device, chain.second->deployment,
+                                    chain.second->openings, chain.second->sheet};
+        summary["second_device"] = {{"quantities", device_quantities(second, chain.wall)},
+                                    {"force_origin", force_origin(second.device)},
+                                    {"openings", openings_of(second)},
+                                    {"lattice", lattice_of(second.deployment)}};
+    }
+    summary["case"] = resolved_case(job);
+    summary["inputs"] = input_files(job);
+    summary["versions"] = library_versions();
+    summary["stages"] = stages;
+    summary["files"] = files;
+    summary["warnings"] = warnings(job, chain);
+    return summary;
 }
 
 std::string short_summary(const Json& summary)

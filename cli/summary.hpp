@@ -12,8 +12,9 @@ namespace braidzone {
 
 /// The figures of a run, its resolved case and what it was made with: the content of summary.json.
 ///
-/// `quantities` maps each name to {value, unit}, or to null where it does not apply. "Neck" means
-/// free of the wall by more than `neck_gap`.
+/// `quantities` maps each name to {value, unit}, or to null where it does not apply. They are the
+/// first device's, but for the resistance integrals, which are of all devices; `second_device` has
+/// the same of the second one. "Neck" is the first of `openings` (`find_openings`).
 /// @param files  what the run wrote, relative to its folder
 nlohmann::ordered_json summarise(const Case& job, const Chain& chain, const Progress& progress,
                                  const std::vector<std::string>& files);

@@ -37,11 +37,15 @@ const DimensionUnits& units_of(Dimension dimension)
     static const DimensionUnits density{"density", {{"kg/m^3"}, {"g/cm^3", 1e3, 1}}};
     static const DimensionUnits viscosity{"dynamic viscosity",
                                           {{"Pa s"}, {"mPa s", 1, 1e3}, {"cP", 1, 1e3}}};
-    static const DimensionUnits pressure{"pressure",
-                                         {{"Pa"}, {"kPa", 1e3, 1}, {"mmHg", 133.322387415, 1}}};
+    static const DimensionUnits pressure{
+        "pressure",
+        {{"Pa"}, {"kPa", 1e3, 1}, {"MPa", 1e6, 1}, {"GPa", 1e9, 1}, {"mmHg", 133.322387415, 1}}};
     static const DimensionUnits force{"force", {{"N"}, {"mN", 1, 1e3}, {"uN", 1, 1e6}}};
     static const DimensionUnits stiffness{
         "stiffness", {{"N/m"}, {"mN/m", 1, 1e3}, {"N/mm", 1e3, 1}, {"mN/mm", 1, 1}}};
+    static const DimensionUnits wall_stiffness{
+        "pressure over displacement",
+        {{"Pa/m"}, {"N/m^3"}, {"kPa/mm", 1e6, 1}, {"kPa/um", 1e9, 1}, {"MPa/mm", 1e9, 1}}};
     static const DimensionUnits flow_rate{
         "flow rate", {{"m^3/s"}, {"ml/s", 1, 1e6}, {"ml/min", 1, 60e6}, {"l/min", 1, 60e3}}};
     static const DimensionUnits angle{"angle", {{"rad"}, {"deg", std::numbers::pi, 180}}};
@@ -67,6 +71,8 @@ const DimensionUnits& units_of(Dimension dimension)
             return force;
         case Dimension::stiffness:
             return stiffness;
+        case Dimension::wall_stiffness:
+            return wall_stiffness;
         case Dimension::flow_rate:
             return flow_rate;
         case Dimension::angle:

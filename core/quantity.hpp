@@ -16,6 +16,7 @@ enum class Dimension {
     pressure,           ///< [Pa]
     force,              ///< [N]
     stiffness,          ///< [N/m]
+    wall_stiffness,     ///< pressure over displacement [Pa/m]
     flow_rate,          ///< [m^3/s]
     angle,              ///< [rad]
     damping,            ///< force over velocity [kg/s]

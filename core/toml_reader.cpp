@@ -371,6 +371,12 @@ bool TomlTable::is_array(const std::string& key) const
     return node && node->is_array();
 }
 
+bool TomlTable::is_text(const std::string& key) const
+{
+    const toml::node* node = state_->find(key);
+    return node && node->is_string();
+}
+
 TomlTable TomlTable::table(const std::string& key) const
 {
     const toml::node& node =

@@ -48,6 +48,8 @@ public:
 
     /// True if the value of the key is an array (a point rather than an arc length, say).
     bool is_array(const std::string& key) const;
+    /// True if it is a string (a name rather than a number, say).
+    bool is_text(const std::string& key) const;
 
     /// A sub-table; ConfigError if it is missing or not a table.
     TomlTable table(const std::string& key) const;

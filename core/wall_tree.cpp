@@ -228,6 +228,17 @@ struct CountCrossingsWalk {
     }
 };
 
+double squared_distance_between(const Vec3& point, const CGAL::Bbox_3& box)
+{
+    double sum = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double outside =
+            std::max({box.min(axis) - point[axis], point[axis] - box.max(axis), 0.0});
+        sum += outside * outside;
+    }
+    return sum;
+}
+
 struct NearestWalk {
     using Priority = double;
 
@@ -237,24 +248,14 @@ struct NearestWalk {
     Vec3 nearest = Vec3::Zero();
     double squared_distance = std::numeric_limits<double>::infinity();
 
-    double squared_distance_to(const CGAL::Bbox_3& box) const
-    {
-        double sum = 0.0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double outside =
-                std::max({box.min(axis) - point[axis], point[axis] - box.max(axis), 0.0});
-            sum += outside * outside;
-        }
-        return sum;
-    }
     bool go_further() const { return true; }
     bool do_intersect(int, const Node& node) const
     {
-        return squared_distance_to(node.bbox()) <= squared_distance;
+        return squared_distance_between(point, node.bbox()) <= squared_distance;
     }
     std::pair<bool, Priority> do_intersect_with_priority(int, const Node& node) const
     {
-        const double box_distance = squared_distance_to(node.bbox());
+        const double box_distance = squared_distance_between(point, node.bbox());
         return {box_distance <= squared_distance, -box_distance};  // the larger goes first
     }
     void intersection(int, const Primitive& primitive)
@@ -271,6 +272,38 @@ struct NearestWalk {
         }
     }
 };
+
+struct WithinWalk {
+    const TriangleTree& tree;
+    const Vec3& point;
+    double squared_distance;
+    std::vector<WallPoint> found = {};
+
+    bool go_further() const { return true; }
+    bool do_intersect(int, const Node& node) const
+    {
+        return squared_distance_between(point, node.bbox()) <= squared_distance;
+    }
+    void intersection(int, const Primitive& primitive)
+    {
+        WallPoint candidate;
+        candidate.triangle = tree.index(primitive);
+        const auto& [a, b, c] = tree.corners(candidate.triangle);
+        candidate.point = nearest_of_triangle(point, a, b, c);
+        candidate.distance = (candidate.point - point).norm();
+        if (candidate.distance * candidate.distance <= squared_distance) found.push_back(candidate);
+    }
+};
+
+TriangleMesh joined(TriangleMesh mesh, const TriangleMesh& other)
+{
+    const int offset = static_cast<int>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+    for (const auto& [a, b, c] : other.triangles) {
+        mesh.triangles.push_back({a + offset, b + offset, c + offset});
+    }
+    return mesh;
+}
 
 /// Unit directions that are spread over the sphere by irrational steps, so that none lies along an
 /// axis or in a plane of symmetry, where meshes have their edges.
@@ -295,9 +328,9 @@ struct WallTree::Impl {
     double slack;     ///< [m]
     std::vector<Vec3> normals;
 
-    explicit Impl(const Vessel& vessel)
+    Impl(const Vessel& vessel, const TriangleMesh& lined_wall)
         : closed(close_openings(vessel).mesh),
-          wall(vessel.wall),
+          wall(lined_wall),
           lumen(closed),
           bounds(bounding_box(closed)),
           diagonal((bounds.upper - bounds.lower).norm()),
@@ -305,18 +338,19 @@ struct WallTree::Impl {
           // not pass between the end of one piece and the start of the next.
           slack(1e-14 * diagonal)
     {
-        for (std::size_t triangle = 0; triangle < vessel.wall.triangles.size(); ++triangle) {
-            normals.push_back(area_vector(vessel.wall, static_cast<int>(triangle)).normalized());
+        for (std::size_t triangle = 0; triangle < lined_wall.triangles.size(); ++triangle) {
+            normals.push_back(area_vector(lined_wall, static_cast<int>(triangle)).normalized());
         }
     }
 
     const Vec3& normal(int triangle) const { return normals[static_cast<std::size_t>(triangle)]; }
 };
 
-WallTree::WallTree(const Vessel& vessel)
+WallTree::WallTree(const Vessel& vessel) : WallTree(vessel, TriangleMesh{}) {}
+WallTree::WallTree(const Vessel& vessel, const TriangleMesh& lining)
 {
     if (vessel.wall.triangles.empty()) throw InputError("the vessel's wall has no triangles");
-    impl_ = std::make_unique<Impl>(vessel);
+    impl_ = std::make_unique<Impl>(vessel, joined(vessel.wall, lining));
 }
 WallTree::~WallTree() = default;
 WallTree::WallTree(WallTree&&) noexcept = default;
@@ -339,6 +373,17 @@ WallPoint WallTree::nearest(const Vec3& point) const
     impl_->wall.walk_nearest_first(walk);
     return {walk.triangle, walk.nearest, impl_->normal(walk.triangle),
             std::sqrt(walk.squared_distance)};
+}
+
+std::vector<WallPoint> WallTree::within(const Vec3& point, double distance) const
+{
+    WithinWalk walk{impl_->wall, point, distance * distance};
+    impl_->wall.walk(walk);
+    std::sort(walk.found.begin(), walk.found.end(),
+              [](const WallPoint& a, const WallPoint& b) { return a.triangle < b.triangle; });
+    for (WallPoint& candidate : walk.found)
+        candidate.normal = impl_->normal(candidate.triangle);
+    return std::move(walk.found);
 }
 
 bool WallTree::contains(const Vec3& point) const

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace braidzone {
 
@@ -29,6 +30,10 @@ struct WallPoint {
 class WallTree {
 public:
     explicit WallTree(const Vessel& vessel);
+    /// A vessel lined with another surface in its lumen, a device that lies there, which stops and
+    /// carries like the wall. Its triangles are numbered after the wall's, its normals point to the
+    /// wall. `contains` does not know it.
+    WallTree(const Vessel& vessel, const TriangleMesh& lining);
     ~WallTree();
     WallTree(WallTree&&) noexcept;
     WallTree& operator=(WallTree&&) noexcept;
@@ -40,6 +45,11 @@ public:
 
     /// Nearest point of the wall (the openings' caps do not count).
     WallPoint nearest(const Vec3& point) const;
+
+    /// The nearest point of every triangle of the wall that is within a distance [m], in the order
+    /// of the triangles. Together they tell a crease of the wall from a face, as one point does
+    /// not.
+    std::vector<WallPoint> within(const Vec3& point, double distance) const;
 
     /// True inside the lumen: wall and flat caps over the openings. By the parity of a ray's
     /// crossings; a ray that grazes an edge is replaced by another one. For a point on the surface

@@ -1,19 +1,22 @@
 #include "deploy/braid_lattice.hpp"
 
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace braidzone {
 
-double BraidLattice::angle(int ring, int column) const
-{
-    return (column + 0.5 * ring) * 2.0 * std::numbers::pi / nodes_per_ring;
-}
+namespace {
 
-BraidLattice make_lattice(const FlowDiverter& device)
+/// Gaps and node spacings an arm spans, of the lattice of Zavodszky et al. 2020.
+constexpr int paper_gaps = 36;
+constexpr int paper_span = 3;
+
+BraidLattice crossing_lattice(const FlowDiverter& device)
 {
-    validate(device);
     BraidLattice lattice;
     lattice.nodes_per_ring = device.num_wires / 2;
     lattice.nominal_radius = device.nominal_radius();
@@ -24,6 +27,74 @@ BraidLattice make_lattice(const FlowDiverter& device)
     lattice.arm_length = std::hypot(lattice.ring_spacing, chord);
     const long num_gaps = std::lround(device.nominal_length / lattice.ring_spacing);
     lattice.num_rings = static_cast<int>(std::max(num_gaps, 2L)) + 1;
+    return lattice;
+}
+
+BraidLattice paper_lattice(const FlowDiverter& device)
+{
+    BraidLattice lattice;
+    lattice.nodes_per_ring = device.num_wires / 2;
+    lattice.num_rings = paper_gaps + 1;
+    lattice.nominal_radius = device.nominal_radius();
+    lattice.ring_spacing = device.nominal_length / paper_gaps;
+    lattice.arm_width =
+        paper_span * 2.0 * std::numbers::pi * lattice.nominal_radius / lattice.nodes_per_ring;
+    lattice.arm_length = std::hypot(lattice.ring_spacing, lattice.arm_width);
+    lattice.stagger = 0.0;
+    lattice.arm_steps = {-paper_span, paper_span};
+    return lattice;
+}
+
+/// Share of a flare at a place u of its length from the end: 1 at u = 0, 0 from u = 1, smooth.
+double flare_profile(double u)
+{
+    return u < 1.0 ? (1.0 - u) * (1.0 - u) * (1.0 + 2.0 * u) : 0.0;
+}
+
+void add_flares(BraidLattice& lattice, const FlowDiverter& device)
+{
+    for (int ring = 0; ring < lattice.num_rings; ++ring) {
+        const double from_distal = ring * lattice.ring_spacing;
+        const double from_proximal = (lattice.num_rings - 1 - ring) * lattice.ring_spacing;
+        lattice.rest_radii.push_back(
+            lattice.nominal_radius +
+            device.distal_flare * flare_profile(from_distal / device.flare_length) +
+            device.proximal_flare * flare_profile(from_proximal / device.flare_length));
+    }
+    const double square_length = lattice.arm_length * lattice.arm_length;
+    const double square_spacing = lattice.ring_spacing * lattice.ring_spacing;
+    // Width of an arm at nominal radius as l0 has it (chord or arc) over R0, squared.
+    const double square_width =
+        (square_length - square_spacing) / (lattice.nominal_radius * lattice.nominal_radius);
+    for (int ring = 0; ring + 1 < lattice.num_rings; ++ring) {
+        const double here = lattice.rest_radius(ring), next = lattice.rest_radius(ring + 1);
+        const double square =
+            square_length - square_width * here * next - (next - here) * (next - here);
+        if (!(here > 0.0 && next > 0.0 && square > 0.0)) {
+            throw ConfigError(fmt::format(
+                "device.{}_flare: the braid cannot lie at a radius of {:.6g} mm at ring {} of {}; "
+                "a braid of radius {:.6g} mm and this angle opens to {:.6g} mm",
+                2 * ring < lattice.num_rings ? "distal" : "proximal", 1e3 * std::max(here, next),
+                ring, lattice.num_rings, 1e3 * lattice.nominal_radius,
+                1e3 * std::sqrt(square_length / square_width)));
+        }
+        lattice.gap_spacings.push_back(std::sqrt(square));
+    }
+}
+
+}  // namespace
+
+double BraidLattice::angle(int ring, int column) const
+{
+    return (column + stagger * ring) * 2.0 * std::numbers::pi / nodes_per_ring;
+}
+
+BraidLattice make_lattice(const FlowDiverter& device, LatticeKind kind)
+{
+    validate(device);
+    BraidLattice lattice =
+        kind == LatticeKind::crossings ? crossing_lattice(device) : paper_lattice(device);
+    if (device.distal_flare != 0.0 || device.proximal_flare != 0.0) add_flares(lattice, device);
     return lattice;
 }
 

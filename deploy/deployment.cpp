@@ -1,15 +1,15 @@
 #include "deploy/deployment.hpp"
 
-#include "core/error.hpp"
 #include "deploy/crimped_braid.hpp"
 #include "deploy/deployment_measures.hpp"
-#include "deploy/equation_of_motion.hpp"
+#include "deploy/landing_zone.hpp"
+#include "deploy/lattice_mapping.hpp"
+#include "deploy/network_deployment.hpp"
+#include "deploy/opening_braid.hpp"
+#include "deploy/release_spacing.hpp"
 #include "deploy/ring_centring.hpp"
 #include "deploy/spring_forces.hpp"
 #include "deploy/wall_contact.hpp"
-#include "deploy/wire_bending.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +26,9 @@ constexpr double contact_offset_ratio = 5e-4;
 /// R0 sqrt(1 + t^2), 1.14 R0 for the steepest of the library; the rest is room for the swing.
 constexpr double reach_ratio = 2.0;
 
+/// Steps between two samples of `Deployment::residual_history`.
+constexpr int residual_interval = 25;
+
 std::vector<CrossSection> sections_at(const Centerline& centerline,
                                       const std::vector<double>& arc_lengths)
 {
@@ -35,184 +38,171 @@ std::vector<CrossSection> sections_at(const Centerline& centerline,
     return sections;
 }
 
-void require_device_on_centerline(const Centerline& centerline,
-                                  const std::vector<double>& positions)
+/// The braid in its catheter, its rings where they are released.
+CrimpedBraid lay_out_rings(const FlowDiverter& device, const BraidLattice& lattice,
+                           const std::vector<double>& positions, const Centerline& centerline,
+                           const WallTree& wall, bool centre_rings)
 {
-    const double proximal = positions.back(), distal = positions.front();
-    if (!(proximal >= 0.0 && distal <= centerline.length())) {
-        throw GeometryError(fmt::format(
-            "the device would lie from {:.6g} to {:.6g} mm along the centerline, which runs from 0 "
-            "to {:.6g} mm: move deployment.landing_distal, or take a shorter device",
-            1e3 * proximal, 1e3 * distal, 1e3 * centerline.length()));
-    }
+    const std::vector<CrossSection> rings =
+        centre_rings ? centred_rings(centerline, wall, positions, lattice.nominal_radius)
+                     : sections_at(centerline, positions);
+    return crimp(lattice, rings, 0.5 * device.catheter_diameter);
 }
 
-void require_room_for_catheter(const CrimpedBraid& braid, const std::vector<double>& positions,
-                               const WallTree& wall)
+std::vector<double> stops_in_vessel(const CrimpedBraid& braid, const WallTree& wall)
 {
-    for (std::size_t ring = 0; ring < braid.rings.size(); ++ring) {
-        const Vec3& hub = braid.rings[ring].origin;
-        const double room = wall.contains(hub) ? wall.nearest(hub).distance : 0.0;
-        if (!(room > braid.radius)) {
-            throw GeometryError(fmt::format(
-                "at {:.6g} mm along the centerline the wall is {:.6g} mm away; the catheter of "
-                "{:.6g} mm diameter does not pass",
-                1e3 * positions[ring], 1e3 * room, 2e3 * braid.radius));
-        }
-    }
+    const double nominal_radius = braid.lattice.nominal_radius;
+    return wall_stops(braid, wall, reach_ratio * nominal_radius,
+                      contact_offset_ratio * nominal_radius);
 }
 
-/// Largest nominal over mean vessel diameter. Labels allow a few tenths of a millimetre; at twice
-/// the diameter a 4 mm device would have to lengthen 2.4 times to lie free of force.
-constexpr double largest_oversize = 2.0;
-
-void require_fitting_diameter(const FlowDiverter& device, const std::vector<CrossSection>& rings)
-{
-    double smallest = rings.front().inscribed_radius, sum = 0.0;
-    for (const CrossSection& ring : rings) {
-        smallest = std::min(smallest, ring.inscribed_radius);
-        sum += ring.inscribed_radius;
-    }
-    const double mean = sum / static_cast<double>(rings.size());
-    if (!(device.nominal_radius() > smallest)) {
-        throw GeometryError(fmt::format(
-            "device.diameter = {:.6g} mm is too small: the vessel is at least {:.6g} mm wide all "
-            "along the device, so that nothing would hold it",
-            1e3 * device.nominal_diameter, 2e3 * smallest));
-    }
-    if (!(device.nominal_radius() < largest_oversize * mean)) {
-        throw GeometryError(fmt::format(
-            "device.diameter = {:.6g} mm is too large: the vessel is {:.6g} mm wide on average "
-            "along the device; allowed are {} times that",
-            1e3 * device.nominal_diameter, 2e3 * mean, largest_oversize));
-    }
-}
-
-/// The lattice in motion: released rings move, the others wait at the catheter's radius. A node
-/// moves along its ray.
-class OpeningBraid {
-public:
-    OpeningBraid(const CrimpedBraid& braid, const SpringCoefficients& coefficients,
-                 const VerletScheme& scheme, std::vector<double> wall_stops)
-        : braid_(braid),
-          lattice_(braid_.lattice),
-          coefficients_(coefficients),
-          scheme_(scheme),
-          stops_(std::move(wall_stops)),
-          radii_(braid_.rays.size(), braid_.radius),
-          displacements_(radii_.size(), 0.0),
-          spring_forces_(radii_.size(), 0.0),
-          forces_(radii_.size(), 0.0),
-          held_(radii_.size(), 0),
-          moved_(braid_.rings.size() + 2 * reach, 0)
-    {
-        nodes_.reserve(radii_.size());
-        for (int node = 0; node < lattice_.num_nodes(); ++node) {
-            nodes_.push_back(on_ray(braid_, node, braid_.radius));
-        }
-    }
-
-    void release_next_ring() { mark_moved(num_released_++); }
-
-    bool all_released() const { return num_released_ == lattice_.num_rings; }
-
-    /// One time step of all released rings.
-    void step()
-    {
-        const std::vector<char> awake = awake_rings();
-        for (int ring = 0; ring < num_released_; ++ring) {
-            if (awake[index(ring)]) update_forces(ring);
-        }
-        std::fill(moved_.begin(), moved_.end(), char{0});
-        for (int ring = 0; ring < num_released_; ++ring) {
-            if (awake[index(ring)]) move(ring);
-        }
-    }
-
-    /// Largest force on a released node that is free to move [N], counting the kinetic energy
-    /// that is still in it: a node of speed v swings up to the force v sqrt(m c_radial).
-    double largest_residual() const
-    {
-        const double per_displacement =
-            std::sqrt(scheme_.mass * radial_stiffness(coefficients_.radial)) / scheme_.time_step;
-        double largest = 0.0;
-        for (int node = 0; node < num_released_ * lattice_.nodes_per_ring; ++node) {
-            const std::size_t i = index(node);
-            if (held_[i]) continue;
-            largest = std::max(
-                {largest, std::abs(forces_[i]), per_displacement * std::abs(displacements_[i])});
-        }
-        return largest;
-    }
-
-    const std::vector<Vec3>& nodes() const { return nodes_; }
-    /// Radial force of each node's springs [N], outwards; without the bending of the wires.
-    const std::vector<double>& spring_forces() const { return spring_forces_; }
-
-private:
-    /// Rings on either side that the force on a ring depends on.
-    static constexpr int reach = 2;
-
-    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-    void mark_moved(int ring) { moved_[index(ring + reach)] = 1; }
-
-    /// A ring needs a step if it or a neighbour moved in the last one; otherwise nothing about it
-    /// has changed. This makes the cost that of the opening front and of the free nodes.
-    std::vector<char> awake_rings() const
-    {
-        std::vector<char> awake(index(num_released_));
-        for (int ring = 0; ring < num_released_; ++ring) {
-            const auto first = moved_.begin() + ring;
-            awake[index(ring)] =
-                std::any_of(first, first + 2 * reach + 1, [](char moved) { return moved != 0; });
-        }
-        return awake;
-    }
-
-    void update_forces(int ring)
-    {
-        for (int column = 0; column < lattice_.nodes_per_ring; ++column) {
-            const std::size_t i = index(lattice_.node(ring, column));
-            spring_forces_[i] = braid_.rays[i].dot(
-                spring_force(lattice_, coefficients_, nodes_, braid_.rings, ring, column));
-            forces_[i] = spring_forces_[i] +
-                         bending_force(lattice_, coefficients_.bending, radii_, ring, column);
-        }
-    }
-
-    void move(int ring)
-    {
-        for (int column = 0; column < lattice_.nodes_per_ring; ++column) {
-            const int node = lattice_.node(ring, column);
-            const std::size_t i = index(node);
-            if (held_[i] && forces_[i] >= 0.0) continue;
-            displacements_[i] = next_displacement(scheme_, displacements_[i], forces_[i]);
-            radii_[i] += displacements_[i];
-            held_[i] = radii_[i] >= stops_[i];
-            if (held_[i]) {
-                radii_[i] = stops_[i];
-                displacements_[i] = 0.0;
-            }
-            nodes_[i] = on_ray(braid_, node, radii_[i]);
-            mark_moved(ring);
-        }
-    }
-
-    const CrimpedBraid& braid_;
-    const BraidLattice& lattice_;
-    SpringCoefficients coefficients_;
-    VerletScheme scheme_;
-    std::vector<double> stops_;          ///< see `wall_stops`
-    std::vector<double> radii_;          ///< of each node on its ray [m]
-    std::vector<Vec3> nodes_;            ///< [m]
-    std::vector<double> displacements_;  ///< along the ray in the last step [m]
-    std::vector<double> spring_forces_;  ///< along the ray, at the last step's start [N]
-    std::vector<double> forces_;         ///< the same with bending [N]
-    std::vector<char> held_;             ///< 1 for a node at its stop
-    std::vector<char> moved_;            ///< for ring k at k + reach, so that the ends need no case
-    int num_released_ = 0;
+/// A braid at rest, forces in newtons.
+struct RestingBraid {
+    std::vector<double> radii;              ///< |N| distance to the hub along the ray [m]
+    std::vector<double> spring_forces;      ///< |N| radial, outwards [N]
+    std::vector<double> wall_displacement;  ///< |N| [m]
+    std::vector<MotionRecord<std::vector<double>>::Entry> record;  ///< of the radii
+    std::vector<ResidualSample> residual_history;
+    double residual = 0.0;   ///< [N]
+    double tolerance = 0.0;  ///< [N]
+    int steps = 0;
 };
+
+/// Opens the braid until no free node bears a force above the tolerance.
+RestingBraid open(const CrimpedBraid& crimped, const SpringCoefficients& coefficients,
+                  const WallSupport& support, const DeployOptions& options)
+{
+    OpeningBraid braid(crimped, coefficients, support, options);
+    RestingBraid rest;
+    MotionRecord<std::vector<double>> record(options.num_frames);
+    const double scale = coefficients.force_scale;
+    const auto step = [&] {
+        if (record.wants(rest.steps)) record.add(rest.steps, braid.num_released(), braid.radii());
+        braid.step();
+        ++rest.steps;
+        if (rest.steps % residual_interval == 0)
+            rest.residual_history.push_back({rest.steps, scale * braid.largest_residual()});
+    };
+
+    while (!braid.all_released()) {
+        braid.release_next_ring();
+        if (options.release_order == ReleaseOrder::at_once) continue;
+        for (int i = 0; i < options.release_interval; ++i)
+            step();
+    }
+    if (rest.steps == 0) step();  // the forces of a braid that never moved are not known
+    rest.tolerance = scale * options.residual_tolerance * radial_stiffness(coefficients.radial) *
+                     crimped.lattice.nominal_radius;
+    const int last_step = rest.steps + options.max_settling_steps;
+    const auto is_at_rest = [&] { return scale * braid.largest_residual() <= rest.tolerance; };
+    while (rest.steps < last_step) {
+        if (is_at_rest()) {
+            braid.update_all_forces();  // those of the nodes that the last step moved
+            if (is_at_rest()) break;
+        }
+        step();
+    }
+    braid.update_all_forces();
+
+    rest.radii = braid.radii();
+    rest.spring_forces = braid.spring_forces();
+    for (double& force : rest.spring_forces)
+        force *= scale;
+    rest.wall_displacement = braid.wall_displacements();
+    rest.residual = scale * braid.largest_residual();
+    if (rest.residual_history.empty() || rest.residual_history.back().step != rest.steps)
+        rest.residual_history.push_back({rest.steps, rest.residual});
+    rest.record = record.finish(rest.steps, braid.num_released(), rest.radii);
+    return rest;
+}
+
+std::vector<Vec3> nodes_at(const CrimpedBraid& braid, const std::vector<double>& radii)
+{
+    std::vector<Vec3> nodes;
+    nodes.reserve(radii.size());
+    for (int node = 0; node < braid.lattice.num_nodes(); ++node)
+        nodes.push_back(on_ray(braid, node, radii[static_cast<std::size_t>(node)]));
+    return nodes;
+}
+
+/// Places of the nodes, their distance from the wall, and which of them touch it.
+void set_shape(Deployment& deployment, const CrimpedBraid& braid, const std::vector<double>& radii,
+               const std::vector<double>& wall_displacement, const WallTree& wall,
+               double wire_diameter)
+{
+    deployment.lattice = braid.lattice;
+    deployment.rings = braid.rings;
+    deployment.nodes = nodes_at(braid, radii);
+    deployment.wall_displacement = wall_displacement;
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        const bool displaced = wall_displacement[i] > 0.0;
+        const double distance = displaced ? 0.0 : wall.nearest(deployment.nodes[i]).distance;
+        deployment.wall_distance.push_back(distance);
+        deployment.in_contact.push_back(distance <= 0.5 * wire_diameter ? 1 : 0);
+    }
+}
+
+/// What the nodes in contact bear out of the radial forces of all nodes' springs.
+std::vector<double> contact_forces(const std::vector<double>& spring_forces,
+                                   const std::vector<char>& in_contact)
+{
+    std::vector<double> forces;
+    forces.reserve(spring_forces.size());
+    for (std::size_t i = 0; i < spring_forces.size(); ++i)
+        forces.push_back(in_contact[i] ? std::max(0.0, spring_forces[i]) : 0.0);
+    return forces;
+}
+
+void set_contact_force(Deployment& deployment, const std::vector<double>& forces)
+{
+    deployment.contact_force = forces;
+    const std::vector<double> areas = node_areas(deployment.lattice, deployment.nodes);
+    for (std::size_t i = 0; i < forces.size(); ++i)
+        deployment.contact_pressure.push_back(forces[i] / areas[i]);
+}
+
+/// The shape of a braid on its own lattice.
+Deployment as_it_is(const CrimpedBraid& braid, const RestingBraid& rest, const WallTree& wall,
+                    double wire_diameter)
+{
+    Deployment result;
+    set_shape(result, braid, rest.radii, rest.wall_displacement, wall, wire_diameter);
+    set_contact_force(result, contact_forces(rest.spring_forces, result.in_contact));
+    for (const auto& entry : rest.record)
+        result.frames.push_back({entry.step, entry.num_released, nodes_at(braid, entry.shape)});
+    return result;
+}
+
+/// The crossings of the wires, laid onto a coarse lattice at rest. A crossing that would lie beyond
+/// the wall between coarse nodes is set on the wall, along its ray.
+Deployment laid_onto(const Deployment& coarse, const RestingBraid& rest,
+                     const LatticeMapping& mapping, const CrimpedBraid& crossings,
+                     const WallTree& wall, double wire_diameter)
+{
+    const std::vector<double> stops = stops_in_vessel(crossings, wall);
+    std::vector<double> displacement = carried_over(mapping, rest.wall_displacement);
+    const auto radii_of = [&](const std::vector<double>& coarse_radii) {
+        std::vector<double> radii = carried_over(mapping, coarse_radii);
+        for (std::size_t i = 0; i < radii.size(); ++i)
+            radii[i] = std::min(radii[i], stops[i] + std::max(0.0, displacement[i]));
+        return radii;
+    };
+    const std::vector<double> radii = radii_of(rest.radii);
+    for (std::size_t i = 0; i < radii.size(); ++i)
+        displacement[i] = std::max(0.0, radii[i] - stops[i]);
+
+    Deployment result;
+    set_shape(result, crossings, radii, displacement, wall, wire_diameter);
+    set_contact_force(
+        result,
+        carried_over_forces(mapping, coarse.contact_force, node_areas(coarse.lattice, coarse.nodes),
+                            node_areas(result.lattice, result.nodes), result.in_contact));
+    for (const auto& entry : rest.record) {
+        result.frames.push_back(
+            {entry.step, entry.num_released, nodes_at(crossings, radii_of(entry.shape))});
+    }
+    return result;
+}
 
 }  // namespace
 
@@ -221,54 +211,43 @@ Deployment deploy(const FlowDiverter& device, const Centerline& centerline, cons
                   const DeployOptions& options)
 {
     validate(schedule);
-    const BraidLattice lattice = make_lattice(device);
-    const std::vector<double> positions =
-        ring_positions(schedule, landing_distal, lattice.ring_spacing, lattice.num_rings);
+    if (needs_wire_network(options)) {
+        return deploy_wire_network(device, centerline, wall, landing_distal, schedule, options);
+    }
+    const BraidLattice lattice = make_lattice(device, options.lattice);
+    std::vector<double> positions = release_positions(device, lattice, centerline, wall, schedule,
+                                                      landing_distal, options.centre_rings);
     require_device_on_centerline(centerline, positions);
-    const std::vector<CrossSection> rings =
-        options.centre_rings ? centred_rings(centerline, wall, positions, lattice.nominal_radius)
-                             : sections_at(centerline, positions);
-    const CrimpedBraid crimped = crimp(lattice, rings, 0.5 * device.catheter_diameter);
+    const CrimpedBraid crimped =
+        lay_out_rings(device, lattice, positions, centerline, wall, options.centre_rings);
     require_room_for_catheter(crimped, positions, wall);
     require_fitting_diameter(device, crimped.rings);
 
     const SpringCoefficients coefficients =
         spring_coefficients(device, lattice, options.bending_ratio);
-    VerletScheme scheme{.damping = options.damping};
-    scheme.time_step = options.time_step_ratio * 2.0 / largest_frequency(coefficients, scheme.mass);
-    OpeningBraid braid(crimped, coefficients, scheme,
-                       wall_stops(crimped, wall, reach_ratio * lattice.nominal_radius,
-                                  contact_offset_ratio * lattice.nominal_radius));
-
-    Deployment result;
-    while (!braid.all_released()) {
-        braid.release_next_ring();
-        for (int i = 0; i < options.release_interval; ++i, ++result.steps)
-            braid.step();
+    WallSupport support{stops_in_vessel(crimped, wall)};
+    if (std::isfinite(options.wall_stiffness)) {
+        support.stiffness = wall_stiffnesses(crimped, support.stops,
+                                             options.wall_stiffness / coefficients.force_scale);
     }
-    const double tolerance =
-        options.residual_tolerance * radial_stiffness(coefficients.radial) * lattice.nominal_radius;
-    const int last_step = result.steps + options.max_settling_steps;
-    while (braid.largest_residual() > tolerance && result.steps < last_step) {
-        braid.step();
-        ++result.steps;
-    }
+    const RestingBraid rest = open(crimped, coefficients, support, options);
 
-    result.lattice = lattice;
-    result.rings = crimped.rings;
+    Deployment result = as_it_is(crimped, rest, wall, device.wire_diameter);
+    if (options.lattice == LatticeKind::paper_2020) {
+        const BraidLattice crossings = make_lattice(device);
+        const LatticeMapping mapping = make_lattice_mapping(lattice, crossings);
+        positions = carried_over_rings(mapping, positions);
+        result = laid_onto(
+            result, rest, mapping,
+            lay_out_rings(device, crossings, positions, centerline, wall, options.centre_rings),
+            wall, device.wire_diameter);
+    }
     result.ring_arc_length = positions;
-    result.nodes = braid.nodes();
-    const std::vector<double> areas = node_areas(lattice, result.nodes);
-    for (std::size_t i = 0; i < result.nodes.size(); ++i) {
-        result.wall_distance.push_back(wall.nearest(result.nodes[i]).distance);
-        result.in_contact.push_back(result.wall_distance[i] <= 0.5 * device.wire_diameter ? 1 : 0);
-        const double pressing = std::max(0.0, device.force_scale * braid.spring_forces()[i]);
-        result.contact_force.push_back(result.in_contact[i] ? pressing : 0.0);
-        result.contact_pressure.push_back(result.contact_force[i] / areas[i]);
-    }
-    result.max_force_residual = device.force_scale * braid.largest_residual();
-    result.force_tolerance = device.force_scale * tolerance;
-    result.converged = result.max_force_residual <= result.force_tolerance;
+    result.residual_history = rest.residual_history;
+    result.max_force_residual = rest.residual;
+    result.force_tolerance = rest.tolerance;
+    result.converged = rest.residual <= rest.tolerance;
+    result.steps = rest.steps;
     return result;
 }
 

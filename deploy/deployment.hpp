@@ -6,6 +6,7 @@
 #include "deploy/braid_lattice.hpp"
 #include "deploy/deploy_options.hpp"
 #include "deploy/flow_diverter.hpp"
+#include "deploy/motion_record.hpp"
 #include "deploy/release_schedule.hpp"
 
 #include <vector>
@@ -30,6 +31,13 @@ struct Deployment {
     double force_tolerance = 0.0;          ///< the criterion that it is compared with [N]
     bool converged = false;
     int steps = 0;
+    /// Outward displacement of a compliant wall at each node [m], along the node's ray; 0 where the
+    /// wall is rigid or not touched. `wall_distance` is that to the displaced wall.
+    std::vector<double> wall_displacement;
+    /// Shapes on the way, the last one at rest: `DeployOptions::num_frames` of them, or one for
+    /// each step if there are fewer steps.
+    std::vector<Frame> frames;
+    std::vector<ResidualSample> residual_history;  ///< every few steps, real forces
 };
 
 /// Deploys a flow diverter in a vessel (Zavodszky et al. 2020, section 2).

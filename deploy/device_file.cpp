@@ -13,8 +13,8 @@ namespace braidzone {
 namespace {
 
 /// What is told about a device and not computed with: texts, or lists of texts.
-constexpr std::array<std::string_view, 6> remarks = {
-    "materials", "layers", "surface_porosity", "pore_density", "youngs_modulus", "free_expansion"};
+constexpr std::array<std::string_view, 5> remarks = {"materials", "layers", "surface_porosity",
+                                                     "pore_density", "free_expansion"};
 
 /// Two nominal sizes are the same if they differ by less than this part: sizes are stated to
 /// 0.25 mm of at most 8 mm, so that rounding cannot confuse them.
@@ -113,23 +113,53 @@ SourcedValue sourced(const TomlTable& table, const std::string& key, bool is_tex
 
 const std::vector<DeviceParameter>& device_parameters()
 {
+    using enum ParameterUse;
     static const std::vector<DeviceParameter> parameters = {
-        {"num_wires", std::nullopt,
+        {"num_wires", std::nullopt, geometry,
          [](FlowDiverter& d, double si) { d.num_wires = static_cast<int>(std::lround(si)); }},
-        {"wire_diameter", Dimension::length,
+        {"wire_diameter", Dimension::length, geometry,
          [](FlowDiverter& d, double si) { d.wire_diameter = si; }},
-        {"braid_ratio", std::nullopt, [](FlowDiverter& d, double si) { d.braid_ratio = si; }},
-        {"catheter_diameter", Dimension::length,
+        {"nominal_porosity", std::nullopt, porosity,
+         [](FlowDiverter& d, double si) { d.braid_ratio = braid_ratio_at_porosity(d, si); }},
+        {"braid_ratio", std::nullopt, geometry,
+         [](FlowDiverter& d, double si) { d.braid_ratio = si; }},
+        {"catheter_diameter", Dimension::length, geometry,
          [](FlowDiverter& d, double si) { d.catheter_diameter = si; }},
-        {"surface_coefficient", Dimension::stiffness,
+        {"surface_coefficient", Dimension::stiffness, springs,
          [](FlowDiverter& d, double si) { d.surface_coefficient = si; }},
-        {"radial_coefficient", Dimension::stiffness,
+        {"radial_coefficient", Dimension::stiffness, springs,
          [](FlowDiverter& d, double si) { d.radial_coefficient = si; }},
-        {"reference_node_area", Dimension::area,
+        {"reference_node_area", Dimension::area, springs,
          [](FlowDiverter& d, double si) { d.reference_node_area = si; }},
-        {"force_scale", std::nullopt, [](FlowDiverter& d, double si) { d.force_scale = si; }},
+        {"force_scale", std::nullopt, springs,
+         [](FlowDiverter& d, double si) { d.force_scale = si; }},
+        {"youngs_modulus", Dimension::pressure, wires,
+         [](FlowDiverter& d, double si) { d.youngs_modulus = si; }},
+        {"poisson_ratio", std::nullopt, optional,
+         [](FlowDiverter& d, double si) { d.poisson_ratio = si; }},
+        {"distal_flare", Dimension::length, optional,
+         [](FlowDiverter& d, double si) { d.distal_flare = si; }},
+        {"proximal_flare", Dimension::length, optional,
+         [](FlowDiverter& d, double si) { d.proximal_flare = si; }},
+        {"flare_length", Dimension::length, optional,
+         [](FlowDiverter& d, double si) { d.flare_length = si; }},
     };
     return parameters;
+}
+
+std::vector<std::string> missing_for(ForceSource forces,
+                                     const std::function<bool(std::string_view)>& is_known)
+{
+    const ParameterUse of_forces =
+        forces == ForceSource::springs ? ParameterUse::springs : ParameterUse::wires;
+    std::vector<std::string> missing;
+    for (const DeviceParameter& parameter : device_parameters()) {
+        if (parameter.use != ParameterUse::geometry && parameter.use != of_forces) continue;
+        if (is_known(parameter.key)) continue;
+        if (parameter.key == "braid_ratio" && is_known("nominal_porosity")) continue;
+        missing.emplace_back(parameter.key);
+    }
+    return missing;
 }
 
 bool is_stated_at(const SizedValue& value, double diameter)
@@ -184,15 +214,18 @@ DeviceFile read_device_file(const std::filesystem::path& path)
 
     for (const DeviceParameter& parameter : device_parameters()) {
         const std::string key(parameter.key);
-        if (!root.has(key)) {
-            model.missing.push_back(key);
-            continue;
-        }
+        if (!root.has(key)) continue;
         const TomlTable table = root.table(key);
         file.parameters.emplace(key, read_sized_value(table, parameter));
         model.values.push_back(sourced(table, key, parameter.dimension.has_value()));
     }
-    model.complete = model.missing.empty();
+    const auto is_known = [&](std::string_view key) { return file.parameters.contains(key); };
+    for (const ForceSource source : {ForceSource::springs, ForceSource::wire_theory}) {
+        if (missing_for(source, is_known).empty()) model.force_sources.push_back(source);
+    }
+    model.complete = !model.force_sources.empty();
+    // The wires' modulus is the least that forces can come from.
+    if (!model.complete) model.missing = missing_for(ForceSource::wire_theory, is_known);
     for (const std::string_view remark : remarks) {
         const std::string key(remark);
         if (root.has(key)) model.values.push_back(sourced(root.table(key), key, true));

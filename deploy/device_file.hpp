@@ -4,6 +4,7 @@
 #include "deploy/device_library.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,15 +13,31 @@
 
 namespace braidzone {
 
-/// A value that a deployment needs, under its key in device files and in a case's [device].
+/// What a value of a device is for.
+enum class ParameterUse {
+    geometry,  ///< needed by every deployment
+    porosity,  ///< may stand for the braid ratio
+    springs,   ///< needed where the forces come from springs
+    wires,     ///< needed where they come from wire theory
+    optional   ///< has a default
+};
+
+/// A value that describes a device, under its key in device files and in a case's [device].
 struct DeviceParameter {
     std::string_view key;
-    std::optional<Dimension> dimension;            ///< none: a plain number
+    std::optional<Dimension> dimension;  ///< none: a plain number
+    ParameterUse use = ParameterUse::geometry;
     void (*set)(FlowDiverter& device, double si);  ///< puts the value into a device
 };
 
-/// The eight values that a device needs besides its size, in the order of display.
+/// The values of a device besides its size, in the order of display; a `set` may count on those
+/// before it.
 const std::vector<DeviceParameter>& device_parameters();
+
+/// What a deployment lacks if only the parameters for which `is_known` is true are known. The braid
+/// ratio may be replaced by the porosity.
+std::vector<std::string> missing_for(ForceSource forces,
+                                     const std::function<bool(std::string_view)>& is_known);
 
 /// How a value goes on between the nominal diameters for which it is known.
 enum class BetweenSizes {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <sstream>
 
@@ -60,10 +61,29 @@ std::map<std::string, DeviceFile> read_library()
 
 bool gives_every_parameter(const TomlTable& section)
 {
+    const auto is_known = [&](std::string_view key) { return section.has(std::string(key)); };
+    return missing_for(ForceSource::springs, is_known).empty() ||
+           missing_for(ForceSource::wire_theory, is_known).empty();
+}
+
+/// Where the forces come from, see `read_device`.
+ForceSource read_forces(const TomlTable& section,
+                        const std::function<bool(std::string_view)>& is_known)
+{
+    if (section.has("forces")) {
+        const std::string name = section.text("forces");
+        for (const ForceSource source : {ForceSource::springs, ForceSource::wire_theory}) {
+            if (name == force_source_name(source)) return source;
+        }
+        throw ConfigError(fmt::format("{} = \"{}\" is not known; allowed are springs, wire-theory",
+                                      section.where("forces"), name));
+    }
     const auto& parameters = device_parameters();
-    return std::all_of(parameters.begin(), parameters.end(), [&](const DeviceParameter& parameter) {
-        return section.has(std::string(parameter.key));
-    });
+    const bool any_spring =
+        std::any_of(parameters.begin(), parameters.end(), [&](const DeviceParameter& parameter) {
+            return parameter.use == ParameterUse::springs && is_known(parameter.key);
+        });
+    return any_spring ? ForceSource::springs : ForceSource::wire_theory;
 }
 
 /// The library's entry for the device that the section names; an empty one, with the section's name
@@ -167,21 +187,40 @@ FlowDiverter read_device(const TomlTable& section, std::vector<std::string>& not
                    file.model);
     }
 
-    std::vector<std::string_view> missing;
+    const auto is_in_case = [&](std::string_view key) { return section.has(std::string(key)); };
+    const auto is_known = [&](std::string_view key) {
+        return is_in_case(key) || file.parameters.contains(key);
+    };
+    if (is_in_case("braid_ratio") && is_in_case("nominal_porosity")) {
+        throw ConfigError(
+            fmt::format("{} stands beside braid_ratio, which follows from it: keep "
+                        "one of them",
+                        section.where("nominal_porosity")));
+    }
+    device.forces = read_forces(section, is_known);
+    const std::vector<std::string> missing = missing_for(device.forces, is_known);
+    if (!missing.empty()) {
+        throw ConfigError(fmt::format(
+            "{}: device {} is incomplete; with forces = \"{}\" these keys must be given in "
+            "[device]: {}",
+            section.where("name"), device.name, force_source_name(device.forces),
+            fmt::join(missing, ", ")));
+    }
+    std::vector<std::string> doubts;
     for (const DeviceParameter& parameter : device_parameters()) {
+        // Of braid ratio and porosity, what the case gives counts, then what the library states.
+        if (parameter.use == ParameterUse::porosity && !is_in_case(parameter.key) &&
+            is_known("braid_ratio"))
+            continue;
+        if (parameter.key == "braid_ratio" && is_in_case("nominal_porosity")) continue;
         const auto known = file.parameters.find(parameter.key);
-        if (section.has(std::string(parameter.key))) {
+        if (is_in_case(parameter.key)) {
             set_from_case(device, parameter, section);
         } else if (known != file.parameters.end()) {
-            set_from_library(device, parameter, known->second, notes);
-        } else {
-            missing.push_back(parameter.key);
+            const bool counts =
+                device.forces == ForceSource::springs || parameter.use != ParameterUse::springs;
+            set_from_library(device, parameter, known->second, counts ? notes : doubts);
         }
-    }
-    if (!missing.empty()) {
-        throw ConfigError(
-            fmt::format("{}: device {} is incomplete; these keys must be given in [device]: {}",
-                        section.where("name"), device.name, fmt::join(missing, ", ")));
     }
     if (const auto invalid = find_invalid(device)) {
         throw ConfigError(fmt::format(

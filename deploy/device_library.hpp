@@ -22,12 +22,13 @@ struct SourcedValue {
 
 /// One device of the library: a product in all its sizes.
 struct DeviceModel {
-    std::string name;                       ///< "pipeline-flex"
-    std::string title;                      ///< "Pipeline Flex Embolization Device (Medtronic)"
-    std::vector<double> nominal_diameters;  ///< [m]
-    std::vector<double> nominal_lengths;    ///< [m]
-    bool complete = false;                  ///< every value that a deployment needs is known
-    std::vector<std::string> missing;       ///< keys that are not known, if not complete
+    std::string name;                        ///< "pipeline-flex"
+    std::string title;                       ///< "Pipeline Flex Embolization Device (Medtronic)"
+    std::vector<double> nominal_diameters;   ///< [m]
+    std::vector<double> nominal_lengths;     ///< [m]
+    bool complete = false;                   ///< every value that a deployment needs is known
+    std::vector<ForceSource> force_sources;  ///< for which the forces' values are known too
+    std::vector<std::string> missing;        ///< keys that are not known for any source of forces
     std::vector<SourcedValue> values;
     std::filesystem::path file;
 };
@@ -38,9 +39,14 @@ struct DeviceModel {
 std::vector<DeviceModel> device_library();
 
 /// The flow diverter that a case file's [device] section describes: `name` (optional), `diameter`,
-/// `length`, and any of `num_wires`, `wire_diameter`, `braid_ratio`, `catheter_diameter`,
-/// `surface_coefficient`, `radial_coefficient`, `reference_node_area`, `force_scale`, each of
-/// which overrides the library.
+/// `length`, and any of `num_wires`, `wire_diameter`, `braid_ratio` or in its place
+/// `nominal_porosity` (`braid_ratio_at_porosity`), `catheter_diameter`, `surface_coefficient`,
+/// `radial_coefficient`, `reference_node_area`, `force_scale`, `youngs_modulus`, `poisson_ratio`,
+/// `distal_flare`, `proximal_flare`, `flare_length`, each of which overrides the library.
+///
+/// `forces = "springs"` or `"wire-theory"` says where the forces come from. Without it they come
+/// from springs if the section or the library knows any of the springs' values, else from wire
+/// theory.
 ///
 /// Between the diameters that a device file states, a value goes on as the file says: Pipeline's
 /// braid ratio by the fit t(D) = 0.160 + 0.957 mm / D, its coefficients on the straight line

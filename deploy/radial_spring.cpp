@@ -73,10 +73,27 @@ double radial_energy(const RadialSpring& spring, double radius)
            beyond * (torsion.force + 0.5 * torsion.slope * beyond);
 }
 
+double radial_stiffness_at(const RadialSpring& spring, double radius)
+{
+    if (spring.torsion == 0.0) return spring.bending;
+    return spring.bending - torsion_at(spring, braid_angle(spring, radius), radius).slope;
+}
+
 double radial_stiffness(const RadialSpring& spring)
 {
     if (spring.torsion == 0.0) return spring.bending;
     return spring.bending + spring.torsion / (spring.braid_ratio * spring.braid_ratio);
+}
+
+RadialSpring at_rest_radius(const RadialSpring& spring, double radius)
+{
+    RadialSpring result = spring;
+    result.rest_radius = radius;
+    // The wires keep their length: cos b is proportional to the radius.
+    const double ratio = radius / spring.rest_radius;
+    const double square = (1.0 + spring.braid_ratio * spring.braid_ratio) / (ratio * ratio) - 1.0;
+    result.braid_ratio = std::sqrt(std::fmax(0.0, square));
+    return result;
 }
 
 RadialSpring scaled(const RadialSpring& spring, double factor)

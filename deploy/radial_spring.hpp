@@ -26,8 +26,15 @@ double radial_force(const RadialSpring& spring, double radius);
 /// Energy of the spring [J], 0 at rest; minus its derivative by the radius is the force.
 double radial_energy(const RadialSpring& spring, double radius);
 
+/// Stiffness of the spring at a radius, -df/dr [N/m]; negative where it softens.
+double radial_stiffness_at(const RadialSpring& spring, double radius);
+
 /// Stiffness of the spring at rest, -df/dr at R0 [N/m]: c_bending + c_torsion / t^2.
 double radial_stiffness(const RadialSpring& spring);
+
+/// The same spring at rest at another radius, with the braid angle that the wires have there: that
+/// of a ring in a flare.
+RadialSpring at_rest_radius(const RadialSpring& spring, double radius);
 
 /// The same spring, `factor` times as strong.
 RadialSpring scaled(const RadialSpring& spring, double factor);

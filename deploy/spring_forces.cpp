@@ -1,5 +1,8 @@
 #include "deploy/spring_forces.hpp"
 
+#include "deploy/wire_theory.hpp"
+
+#include <algorithm>
 #include <cmath>
 
 namespace braidzone {
@@ -13,16 +16,61 @@ Vec3 arm_force(const Vec3& node, const Vec3& other, double coefficient, double r
     return coefficient * (1.0 - rest_length / length) * arm;
 }
 
-}  // namespace
-
-namespace {
-
-RadialSpring radial_spring(const FlowDiverter& device, const BraidLattice& lattice)
+/// Force of a radial spring on the node at `outward` from its hub.
+Vec3 outward_force(const RadialSpring& spring, const Vec3& outward)
 {
-    return {.rest_radius = lattice.nominal_radius,
-            .bending = device.radial_coefficient * lattice.node_area() / device.reference_node_area,
-            .torsion = 0.0,
-            .braid_ratio = device.braid_ratio};
+    const double radius = outward.norm();
+    if (!(radius > 0.0)) return Vec3::Zero();
+    return radial_force(spring, radius) / radius * outward;
+}
+
+/// The radial spring of an inner node of a ring, at rest at the ring's own radius.
+RadialSpring spring_of_ring(const BraidLattice& lattice, const SpringCoefficients& coefficients,
+                            int ring)
+{
+    if (lattice.rest_radii.empty()) return coefficients.radial;
+    return at_rest_radius(coefficients.radial, lattice.rest_radius(ring));
+}
+
+/// Coefficient of an arm in the paper's code for the 4 mm device [N/m] (Zavodszky et al. 2020,
+/// Table 2), and its ratio to that of a radial spring at a crossing: 0.1 N/m there belong to a node
+/// of (20 mm / 36) (pi 4 mm / 24) = 0.29089 mm^2, and a crossing has 0.054831 mm^2.
+constexpr double usual_surface = 0.6;
+constexpr double usual_surface_to_radial = 0.6 / (0.1 * 0.054831 / 0.29089);
+
+SpringCoefficients from_springs(const FlowDiverter& device, const BraidLattice& lattice)
+{
+    SpringCoefficients coefficients;
+    coefficients.surface = device.surface_coefficient;
+    coefficients.radial = {
+        .rest_radius = device.nominal_radius(),
+        .bending = device.radial_coefficient * lattice.node_area() / device.reference_node_area,
+        .torsion = 0.0,
+        .braid_ratio = device.braid_ratio};
+    coefficients.force_scale = device.force_scale;
+    return coefficients;
+}
+
+double surface_to_radial(const FlowDiverter& device)
+{
+    const bool has_springs = device.surface_coefficient > 0.0 && device.radial_coefficient > 0.0 &&
+                             device.reference_node_area > 0.0;
+    if (!has_springs) return usual_surface_to_radial;
+    return device.surface_coefficient * device.reference_node_area /
+           (device.radial_coefficient * crossing_node_area(device));
+}
+
+SpringCoefficients from_wires(const FlowDiverter& device, const BraidLattice& lattice)
+{
+    const RadialSpring crossing = crossing_radial_spring(device);
+    const double real_surface = surface_to_radial(device) * radial_stiffness(crossing);
+    SpringCoefficients coefficients;
+    coefficients.surface =
+        device.surface_coefficient > 0.0 ? device.surface_coefficient : usual_surface;
+    coefficients.force_scale = real_surface / coefficients.surface;
+    coefficients.radial = scaled(
+        crossing, lattice.node_area() / crossing_node_area(device) / coefficients.force_scale);
+    return coefficients;
 }
 
 }  // namespace
@@ -30,9 +78,15 @@ RadialSpring radial_spring(const FlowDiverter& device, const BraidLattice& latti
 SpringCoefficients spring_coefficients(const FlowDiverter& device, const BraidLattice& lattice,
                                        double bending_ratio)
 {
-    return {.surface = device.surface_coefficient,
-            .radial = radial_spring(device, lattice),
-            .bending = bending_ratio * device.surface_coefficient};
+    SpringCoefficients coefficients = device.forces == ForceSource::springs
+                                          ? from_springs(device, lattice)
+                                          : from_wires(device, lattice);
+    const BraidLattice crossings = make_lattice(device);
+    const double area = lattice.node_area() / crossings.node_area();
+    const double arm = lattice.arm_length / crossings.arm_length;
+    coefficients.bending = bending_ratio * coefficients.surface * area / (arm * arm * arm * arm);
+    coefficients.surface *= area / (arm * arm);
+    return coefficients;
 }
 
 double elastic_energy(const BraidLattice& lattice, const SpringCoefficients& coefficients,
@@ -46,14 +100,16 @@ double elastic_energy(const BraidLattice& lattice, const SpringCoefficients& coe
         for (int column = 0; column < lattice.nodes_per_ring; ++column) {
             const Vec3& node = at(ring, column);
             if (ring + 1 < lattice.num_rings) {
-                for (int next : {column, column - 1}) {
-                    const double stretch = (at(ring + 1, next) - node).norm() - lattice.arm_length;
+                for (int step : lattice.arm_steps) {
+                    const double stretch =
+                        (at(ring + 1, column + step) - node).norm() - lattice.arm_length;
                     energy += 0.5 * coefficients.surface * stretch * stretch;
                 }
             }
             const Vec3& hub = rings[static_cast<std::size_t>(ring)].origin;
             energy +=
-                lattice.area_share(ring) * radial_energy(coefficients.radial, (node - hub).norm());
+                lattice.area_share(ring) *
+                radial_energy(spring_of_ring(lattice, coefficients, ring), (node - hub).norm());
         }
     }
     return energy;
@@ -66,8 +122,6 @@ Vec3 spring_force(const BraidLattice& lattice, const SpringCoefficients& coeffic
     const int n = lattice.nodes_per_ring;
     const std::size_t index = static_cast<std::size_t>(ring * n + column);
     const Vec3& node = nodes[index];
-    const int before = column == 0 ? n - 1 : column - 1;
-    const int after = column == n - 1 ? 0 : column + 1;
     const auto arm_to = [&](int other) {
         return arm_force(node, nodes[static_cast<std::size_t>(other)], coefficients.surface,
                          lattice.arm_length);
@@ -75,20 +129,29 @@ Vec3 spring_force(const BraidLattice& lattice, const SpringCoefficients& coeffic
 
     Vec3 force = Vec3::Zero();
     if (ring > 0) {
-        const int distal = (ring - 1) * n;
-        force += arm_to(distal + column) + arm_to(distal + after);
+        force += arm_to(lattice.node(ring - 1, column - lattice.arm_steps[1])) +
+                 arm_to(lattice.node(ring - 1, column - lattice.arm_steps[0]));
     }
     if (ring + 1 < lattice.num_rings) {
-        const int proximal = (ring + 1) * n;
-        force += arm_to(proximal + column) + arm_to(proximal + before);
+        force += arm_to(lattice.node(ring + 1, column + lattice.arm_steps[1])) +
+                 arm_to(lattice.node(ring + 1, column + lattice.arm_steps[0]));
     }
     const Vec3 outward = node - rings[static_cast<std::size_t>(ring)].origin;
-    const double radius = outward.norm();
-    if (radius > 0.0) {
-        force +=
-            lattice.area_share(ring) * radial_force(coefficients.radial, radius) / radius * outward;
+    return force + lattice.area_share(ring) *
+                       outward_force(spring_of_ring(lattice, coefficients, ring), outward);
+}
+
+Vec3 hub_force(const BraidLattice& lattice, const SpringCoefficients& coefficients,
+               const std::vector<Vec3>& nodes, const std::vector<CrossSection>& rings, int ring)
+{
+    const CrossSection& section = rings[static_cast<std::size_t>(ring)];
+    const RadialSpring spring = spring_of_ring(lattice, coefficients, ring);
+    Vec3 sum = Vec3::Zero();
+    for (int column = 0; column < lattice.nodes_per_ring; ++column) {
+        const Vec3& node = nodes[static_cast<std::size_t>(lattice.node(ring, column))];
+        sum -= lattice.area_share(ring) * outward_force(spring, node - section.origin);
     }
-    return force;
+    return sum - section.tangent.dot(sum) * section.tangent;
 }
 
 double largest_frequency(const SpringCoefficients& coefficients, double mass)

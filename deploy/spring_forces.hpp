@@ -14,14 +14,37 @@ struct SpringCoefficients {
     double surface = 0.0;  ///< c_surface, of an arm [N/m]
     RadialSpring radial;   ///< of an inner node
     double bending = 0.0;  ///< c_bending, of a wire between three crossings [N/m]
+    /// Factor from forces of these coefficients to those of the real device [-].
+    double force_scale = 1.0;
 };
 
-/// The device's coefficients on its lattice.
+/// The device's coefficients on its lattice, in the units of the paper's code: times `force_scale`
+/// they are real. The scale applies to the forces that are reported and leaves the shape as it is;
+/// time step and damping are tuned to coefficients of the paper's size.
 ///
-/// An arm's coefficient does not depend on the fineness of a lattice of similar cells. A radial
-/// spring stands for the area of its node, so the coefficient of the reference lattice is scaled by
-/// node area over `reference_node_area`, and at the ends by the node's share of it. The force scale
-/// is not included: it is applied to the forces that are reported, and leaves the shape as it is.
+/// An arm's coefficient is that of the crossings. It does not depend on the fineness of a lattice
+/// of similar cells. A radial spring stands for the area of its node, so it is scaled with that,
+/// and at the ends by the node's share of it. Its rest radius is the ring's.
+///
+/// An arm of another lattice is scaled so that the sheet is as stiff for the same strain: by the
+/// area of a node over the square of an arm's length, relative to the crossings,
+///
+///     c_surface = c (A / l0^2) / (A / l0^2 of the crossings)
+///
+/// which is 0.15 c for the paper's lattice, whose arms span six arms of the crossings, and are
+/// three times as dense as a net of such wide cells needs to be. Bending goes with A / l0^4: the
+/// same energy for the same curvature.
+///
+/// Forces from springs: the device's own coefficients, the radial one times node area over
+/// `reference_node_area`, and the device's own scale.
+///
+/// Forces from wire theory: the radial spring is `crossing_radial_spring`. The arms are the wires'
+/// resistance to being stretched. Wires are practically inextensible (EA / l is about 5e5 N/m), but
+/// where rings are locked in planes that the wires would leave, an arm stands for all that a wire
+/// does instead of stretching: it slides, bends between crossings, and turns at them. So the arms
+/// keep the ratio to the radial spring that the device's own springs have, or if it has none, that
+/// of the paper's 4 mm device, 32. At the force-free ring spacing of `release_spacing.hpp` arms
+/// bear next to nothing and the ratio does not matter.
 /// @param bending_ratio  c_bending over c_surface [-]; >= 0, see `wire_bending.hpp`
 SpringCoefficients spring_coefficients(const FlowDiverter& device, const BraidLattice& lattice,
                                        double bending_ratio);
@@ -42,11 +65,17 @@ double elastic_energy(const BraidLattice& lattice, const SpringCoefficients& coe
 ///     F = sum over its arms of c_surface (l - l0) d / l  +  q f(r) e_r
 ///
 /// with d from the node to the other end of the arm, e_r from the hub to the node and f the force
-/// of its radial spring. A node on the
-/// hub feels no radial force.
+/// of its radial spring. A node on the hub feels no radial force.
 Vec3 spring_force(const BraidLattice& lattice, const SpringCoefficients& coefficients,
                   const std::vector<Vec3>& nodes, const std::vector<CrossSection>& rings, int ring,
                   int column);
+
+/// Force on the hub of a ring that is free to move in the ring's plane: minus the gradient of the
+/// energy with respect to the hub, which is the opposite of its radial springs' forces [N].
+///
+///     F = - sum over the ring's nodes of q f(r) e_r, without its part along the ring's tangent
+Vec3 hub_force(const BraidLattice& lattice, const SpringCoefficients& coefficients,
+               const std::vector<Vec3>& nodes, const std::vector<CrossSection>& rings, int ring);
 
 /// Largest angular frequency of the lattice for nodes of mass m [1/s]: the time step of the Verlet
 /// scheme must stay below 2 / omega.

@@ -1,5 +1,7 @@
 #include "deploy/wall_contact.hpp"
 
+#include "deploy/deployment_measures.hpp"
+
 #include <algorithm>
 
 namespace braidzone {
@@ -30,6 +32,22 @@ std::vector<double> wall_stops(const CrimpedBraid& braid, const WallTree& wall, 
         stops.push_back(std::max(braid.radius, wall_radius - offset / incidence));
     }
     return stops;
+}
+
+std::vector<double> wall_stiffnesses(const CrimpedBraid& braid, const std::vector<double>& stops,
+                                     double stiffness)
+{
+    std::vector<Vec3> nodes;
+    nodes.reserve(stops.size());
+    for (int node = 0; node < braid.lattice.num_nodes(); ++node) {
+        nodes.push_back(
+            on_ray(braid, node,
+                   std::min(stops[static_cast<std::size_t>(node)], braid.lattice.nominal_radius)));
+    }
+    std::vector<double> stiffnesses = node_areas(braid.lattice, nodes);
+    for (double& value : stiffnesses)
+        value *= stiffness;
+    return stiffnesses;
 }
 
 }  // namespace braidzone

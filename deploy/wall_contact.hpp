@@ -20,4 +20,17 @@ namespace braidzone {
 std::vector<double> wall_stops(const CrimpedBraid& braid, const WallTree& wall, double reach,
                                double offset);
 
+/// What holds the nodes from outside.
+struct WallSupport {
+    std::vector<double> stops;  ///< |N| see `wall_stops` [m]
+    /// |N| force over displacement beyond the stop along the ray; empty for a rigid wall.
+    std::vector<double> stiffness = {};
+};
+
+/// Stiffness of a compliant wall for each node [N/m]: `stiffness` [Pa/m] times the area of the
+/// wall, undeformed, that the node covers: that of the deployed lattice with its nodes at their
+/// stops, or at the nominal radius where the stop is further out.
+std::vector<double> wall_stiffnesses(const CrimpedBraid& braid, const std::vector<double>& stops,
+                                     double stiffness);
+
 }  // namespace braidzone

@@ -4,17 +4,15 @@ namespace braidzone {
 
 namespace {
 
-/// Steps of the column from one ring to the next: a left-handed and a right-handed wire.
-constexpr int column_steps[] = {0, -1};
-
 /// r- - 2 r + r+ around a node along a wire; 0 at the wire's ends, which are free.
 double second_difference(const BraidLattice& lattice, const std::vector<double>& radii, int ring,
                          int column, int column_step)
 {
     if (ring <= 0 || ring >= lattice.num_rings - 1) return 0.0;
     const auto radius = [&](int offset) {
-        return radii[static_cast<std::size_t>(
+        const double value = radii[static_cast<std::size_t>(
             lattice.node(ring + offset, column + offset * column_step))];
+        return lattice.rest_radii.empty() ? value : value - lattice.rest_radius(ring + offset);
     };
     return radius(-1) - 2.0 * radius(0) + radius(1);
 }
@@ -27,7 +25,7 @@ double bending_energy(const BraidLattice& lattice, double coefficient,
     double energy = 0.0;
     for (int ring = 1; ring + 1 < lattice.num_rings; ++ring) {
         for (int column = 0; column < lattice.nodes_per_ring; ++column) {
-            for (int step : column_steps) {
+            for (int step : lattice.arm_steps) {
                 const double bend = second_difference(lattice, radii, ring, column, step);
                 energy += 0.5 * coefficient * bend * bend;
             }
@@ -40,7 +38,7 @@ double bending_force(const BraidLattice& lattice, double coefficient,
                      const std::vector<double>& radii, int ring, int column)
 {
     double force = 0.0;
-    for (int step : column_steps) {
+    for (int step : lattice.arm_steps) {
         const auto bend = [&](int offset) {
             return second_difference(lattice, radii, ring + offset, column + offset * step, step);
         };

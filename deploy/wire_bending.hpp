@@ -10,8 +10,9 @@ namespace braidzone {
 ///
 ///     E = sum over wires, over three crossings in a row, of c_bending (r- - 2 r + r+)^2 / 2
 ///
-/// with r the distance of a crossing to the hub of its ring. It vanishes wherever the radius is
-/// uniform or tapers evenly, so that it adds nothing to the pressure on a straight wall.
+/// with r the distance of a crossing to the hub of its ring, of a device with a flare or a cone
+/// less the force-free radius there: its wires were set in that shape. It vanishes wherever the
+/// radius is uniform or tapers evenly, so that it adds nothing to the pressure on a straight wall.
 ///
 /// The paper's lattice has no such term and needs none: its nodes are 15 degrees or more apart. On
 /// the lattice of the real crossings a device narrower than nominal is a compressed net, which

@@ -60,6 +60,12 @@ double mean_of_corners(const std::vector<double>& values, const std::array<int, 
     return 0.25 * sum;
 }
 
+template <typename Value>
+void append(std::vector<Value>& values, const std::vector<Value>& more)
+{
+    values.insert(values.end(), more.begin(), more.end());
+}
+
 /// Area-weighted sums over some of the rhombi.
 struct AreaSums {
     double area = 0.0;
@@ -86,7 +92,7 @@ BraidSurface make_braid_surface(const std::vector<Vec3>& points,
     BraidSurface surface;
     surface.points = points;
     surface.corners = corners;
-    surface.wire_diameter = wire_diameter;
+    surface.wire_diameter.assign(corners.size(), wire_diameter);
     const std::size_t num_rhombi = corners.size();
     surface.rhombi.reserve(num_rhombi);
     surface.centres.reserve(num_rhombi);
@@ -130,15 +136,60 @@ BraidSurface make_braid_surface(const Deployment& deployment, const FlowDiverter
     return surface;
 }
 
-BraidMeasures measure(const BraidSurface& surface, double neck_gap)
+BraidSurface joined(const BraidSurface& first, const BraidSurface& second)
 {
-    AreaSums device, neck;
+    BraidSurface both = first;
+    const int offset = static_cast<int>(first.points.size());
+    append(both.points, second.points);
+    for (const auto& [a, b, c, d] : second.corners) {
+        both.corners.push_back({a + offset, b + offset, c + offset, d + offset});
+    }
+    append(both.rhombi, second.rhombi);
+    append(both.centres, second.centres);
+    append(both.normals, second.normals);
+    append(both.density_increase, second.density_increase);
+    append(both.contact_pressure, second.contact_pressure);
+    append(both.wall_distance, second.wall_distance);
+    append(both.wire_length, second.wire_length);
+    append(both.wire_diameter, second.wire_diameter);
+    return both;
+}
+
+std::vector<NeckPart> neck_parts(const Deployment& deployment,
+                                 const std::vector<WallOpening>& openings)
+{
+    const BraidLattice& lattice = deployment.lattice;
+    std::vector<NeckPart> parts(static_cast<std::size_t>(lattice.num_rhombi()), NeckPart::none);
+    if (openings.empty()) return parts;
+    const WallOpening& neck = openings.front();
+    const std::vector<char> of_neck = nodes_of({neck}, lattice.num_nodes());
+    for (int ring = 0; ring + 2 < lattice.num_rings; ++ring) {
+        for (int column = 0; column < lattice.nodes_per_ring; ++column) {
+            int corners_over = 0;
+            for (const int corner : rhombus_corners(lattice, ring, column)) {
+                corners_over += of_neck[static_cast<std::size_t>(corner)];
+            }
+            NeckPart& part = parts[static_cast<std::size_t>(lattice.node(ring, column))];
+            const bool in_zone = ring + 1 >= neck.distal_ring && ring + 1 <= neck.proximal_ring;
+            if (corners_over >= 3) {
+                part = NeckPart::over;
+            } else if (in_zone) {
+                part = NeckPart::opposite;
+            }
+        }
+    }
+    return parts;
+}
+
+BraidMeasures measure(const BraidSurface& surface, const std::vector<NeckPart>& parts)
+{
+    AreaSums device, neck, neck_rings;
     BraidMeasures measures;
     for (std::size_t rhombus = 0; rhombus < surface.rhombi.size(); ++rhombus) {
+        const NeckPart part = parts.empty() ? NeckPart::none : parts[rhombus];
         add(device, surface, rhombus);
-        if (surface.wall_distance[rhombus] > neck_gap) {
-            add(neck, surface, rhombus);
-        }
+        if (part == NeckPart::over) add(neck, surface, rhombus);
+        if (part != NeckPart::none) add(neck_rings, surface, rhombus);
         measures.wire_length += surface.wire_length[rhombus];
         measures.metal_volume += metal_volume(surface, rhombus);
     }
@@ -152,13 +203,16 @@ BraidMeasures measure(const BraidSurface& surface, double neck_gap)
         measures.mean_metal_coverage_neck = neck.metal_coverage / neck.area;
         measures.mean_pore_density_neck = neck.pore_density / neck.area;
     }
+    if (neck_rings.area > 0.0) {
+        measures.mean_density_increase_neck_rings = neck_rings.density_increase / neck_rings.area;
+    }
     return measures;
 }
 
 double metal_volume(const BraidSurface& surface, std::size_t rhombus)
 {
-    const double cross_section =
-        0.25 * std::numbers::pi * surface.wire_diameter * surface.wire_diameter;
+    const double diameter = surface.wire_diameter[rhombus];
+    const double cross_section = 0.25 * std::numbers::pi * diameter * diameter;
     return cross_section * surface.wire_length[rhombus];
 }
 

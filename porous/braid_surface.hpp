@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deploy/deployment.hpp"
+#include "deploy/neck.hpp"
 #include "porous/rhombus.hpp"
 
 #include <array>
@@ -23,8 +24,11 @@ struct BraidSurface {
     /// of an arm at the sheet's edge. They sum to the length of all wires, whereas the sum of
     /// `Rhombus::wire_length` lacks the outer halves of the arms at the edge.
     std::vector<double> wire_length;
-    double wire_diameter = 0.0;  ///< [m]
+    std::vector<double> wire_diameter;  ///< [m]
 };
+
+/// Two surfaces as one, the first one's entries before the second one's.
+BraidSurface joined(const BraidSurface& first, const BraidSurface& second);
 
 /// Measures every rhombus of a deployed braid.
 ///
@@ -52,20 +56,36 @@ BraidSurface make_braid_surface(const std::vector<Vec3>& points,
                                 const std::vector<std::array<int, 4>>& corners,
                                 double wire_diameter, double force_free_area);
 
-/// Figures of a braid surface; those of the neck, over rhombi that are further than `neck_gap` from
-/// the wall, are absent if there are none. Means are weighted by area, densities too.
-struct BraidMeasures {
-    double mean_density_increase = 0.0;                ///< [-]
-    std::optional<double> mean_density_increase_neck;  ///< [-]
-    double mean_metal_coverage = 0.0;                  ///< [-]
-    std::optional<double> mean_metal_coverage_neck;    ///< [-]
-    std::optional<double> mean_pore_density_neck;      ///< [1/m^2]
-    double wire_length = 0.0;                          ///< of all arms, each once [m]
-    double metal_volume = 0.0;                         ///< pi d^2 / 4 times the wire length [m^3]
-    double device_area = 0.0;                          ///< [m^2]
+/// Where a rhombus lies with regard to the neck.
+enum class NeckPart : char {
+    none,      ///< on a landing zone
+    opposite,  ///< beside the neck, where the vessel's wall is
+    over,      ///< over the neck
 };
 
-BraidMeasures measure(const BraidSurface& surface, double neck_gap);
+/// The part of each rhombus of a deployed braid: over the neck if three of its corners or more are
+/// nodes of the neck, opposite if its middle ring is one of the neck's.
+/// @param openings  of the vessel behind the device; the first one is the neck
+std::vector<NeckPart> neck_parts(const Deployment& deployment,
+                                 const std::vector<WallOpening>& openings);
+
+/// Figures of a braid surface; those of the neck are absent if there is none. Means are weighted by
+/// area, densities too.
+struct BraidMeasures {
+    double mean_density_increase = 0.0;                ///< [-]
+    std::optional<double> mean_density_increase_neck;  ///< over the neck [-]
+    /// All round the vessel at the neck, with the side where the wall is [-].
+    std::optional<double> mean_density_increase_neck_rings;
+    double mean_metal_coverage = 0.0;                ///< [-]
+    std::optional<double> mean_metal_coverage_neck;  ///< [-]
+    std::optional<double> mean_pore_density_neck;    ///< [1/m^2]
+    double wire_length = 0.0;                        ///< of all arms, each once [m]
+    double metal_volume = 0.0;                       ///< pi d^2 / 4 times the wire length [m^3]
+    double device_area = 0.0;                        ///< [m^2]
+};
+
+/// @param parts  one for each rhombus; none at all: no neck
+BraidMeasures measure(const BraidSurface& surface, const std::vector<NeckPart>& parts = {});
 
 /// Metal that a rhombus stands for [m^3]: the wire's cross-section times `wire_length`.
 double metal_volume(const BraidSurface& surface, std::size_t rhombus);

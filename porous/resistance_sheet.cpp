@@ -44,8 +44,8 @@ ResistanceSheet make_resistance_sheet(const BraidSurface& surface, const Resista
     sheet.fluid = fluid;
     sheet.losses.reserve(surface.rhombi.size());
     sheet.acting.reserve(surface.rhombi.size());
-    const double diameter = surface.wire_diameter;
     for (std::size_t rhombus = 0; rhombus < surface.rhombi.size(); ++rhombus) {
+        const double diameter = surface.wire_diameter[rhombus];
         sheet.losses.push_back(sheet_loss(law, surface.rhombi[rhombus], diameter, fluid));
         const bool everywhere = options.region == ResistanceRegion::whole_device;
         sheet.acting.push_back(everywhere ? 1.0
@@ -54,6 +54,20 @@ ResistanceSheet make_resistance_sheet(const BraidSurface& surface, const Resista
                                                         free_diameters * diameter));
     }
     return sheet;
+}
+
+ResistanceSheet joined(const ResistanceSheet& first, const ResistanceSheet& second)
+{
+    if (first.tangential_ratio != second.tangential_ratio ||
+        first.fluid.viscosity != second.fluid.viscosity ||
+        first.fluid.density != second.fluid.density) {
+        throw InputError("two sheets with different fluids or tangential ratios cannot be joined");
+    }
+    ResistanceSheet both = first;
+    both.surface = joined(first.surface, second.surface);
+    both.losses.insert(both.losses.end(), second.losses.begin(), second.losses.end());
+    both.acting.insert(both.acting.end(), second.acting.begin(), second.acting.end());
+    return both;
 }
 
 double sheet_darcy(const ResistanceSheet& sheet, int rhombus)

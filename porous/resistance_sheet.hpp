@@ -32,6 +32,11 @@ struct ResistanceSheet {
 ResistanceSheet make_resistance_sheet(const BraidSurface& surface, const ResistanceLaw& law,
                                       const Fluid& fluid, const SheetOptions& options = {});
 
+/// Two sheets as one, for one device inside another: flow that passes through both meets one
+/// resistance after the other, and where both deposit into a cell their coefficients add.
+/// @throws InputError if the sheets differ in fluid or tangential ratio
+ResistanceSheet joined(const ResistanceSheet& first, const ResistanceSheet& second);
+
 /// Darcy coefficient of a rhombus, integrated along its normal: acting a / mu [1/m].
 double sheet_darcy(const ResistanceSheet& sheet, int rhombus);
 

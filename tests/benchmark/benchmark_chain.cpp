@@ -15,6 +15,7 @@
 #include <oneapi/tbb/info.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <filesystem>
 
 namespace braidzone {
@@ -63,8 +64,11 @@ void deploy_in_tube(benchmark::State& state)
 {
     const auto limit = thread_limit(state);
     const double radius = 1.85e-3, length = 26e-3;
-    const auto along = static_cast<int>(state.range(1)) / (2 * 70);
-    const Vessel vessel = test::tube_vessel(radius, length, 70, along);
+    // Triangles of the same shape at every fineness: 70 sides for 10,000.
+    const double triangles = static_cast<double>(state.range(1));
+    const int around = static_cast<int>(std::lround(70.0 * std::sqrt(triangles / 1e4)));
+    const int along = static_cast<int>(std::lround(triangles / (2 * around)));
+    const Vessel vessel = test::tube_vessel(radius, length, around, along);
     const WallTree wall(vessel);
     const Centerline centerline = test::tube_centerline(radius, length);
     const Case job = read_case(shipped_case("straight_tube"));
@@ -73,6 +77,26 @@ void deploy_in_tube(benchmark::State& state)
             deploy(job.device, centerline, wall, 23e-3, job.schedule, job.deployment));
     }
     state.counters["triangles"] = static_cast<double>(vessel.wall.triangles.size());
+    report_memory(state);
+}
+
+/// A straight tube of 10,000 triangles and a device of the given length and number of wires, for
+/// the cost against the number of nodes: (wires / 2)^2 times length over t pi R0.
+void deploy_device(benchmark::State& state)
+{
+    const auto limit = thread_limit(state);
+    const double radius = 1.85e-3, length = 60e-3;
+    const Vessel vessel = test::tube_vessel(radius, length, 70, 71);
+    const WallTree wall(vessel);
+    const Centerline centerline = test::tube_centerline(radius, length);
+    Case job = read_case(shipped_case("straight_tube"));
+    job.device.nominal_length = 1e-3 * static_cast<double>(state.range(1));
+    job.device.num_wires = static_cast<int>(state.range(2));
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(
+            deploy(job.device, centerline, wall, 57e-3, job.schedule, job.deployment));
+    }
+    state.counters["nodes"] = make_lattice(job.device).num_nodes();
     report_memory(state);
 }
 
@@ -98,6 +122,16 @@ BENCHMARK(deploy_in_tube)
     ->Args({1, 10000})
     ->Args({0, 10000})
     ->Args({1, 100000})
+    ->Args({1, 1000000})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(deploy_device)
+    ->ArgNames({"threads", "length_mm", "wires"})
+    ->Args({1, 10, 48})
+    ->Args({1, 20, 48})
+    ->Args({1, 40, 48})
+    ->Args({1, 20, 64})
+    ->Args({1, 20, 96})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_CAPTURE(deploy_in_case, sidewall_aneurysm, "sidewall_aneurysm")

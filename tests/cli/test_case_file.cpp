@@ -40,6 +40,14 @@ bending_ratio = 0.4
 release_interval = 30
 residual_tolerance = 1e-5
 max_settling_steps = 1234
+lattice = "paper-2020"
+release_order = "at_once"
+motion = "quasi_static"
+ring_hub = "free"
+hoop_migration = true
+friction = 0.15
+wall_stiffness = "1e8 Pa/m"
+num_frames = 7
 [[deployment.push_pull]]
 from = "8 mm"
 to = "14 mm"

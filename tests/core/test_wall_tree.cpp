@@ -229,6 +229,36 @@ TEST(Nearest, AgreesWithALoopOverAllTriangles)
     }
 }
 
+TEST(Within, FindsTheTrianglesThatALoopFinds)
+{
+    const Vessel vessel = test::tube_vessel(radius, 5.0 * radius, 24, 12);
+    const WallTree tree(vessel);
+    RandomPoints random;
+    std::size_t num_found = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 point = random.near_tube();
+        const double distance = 0.3 * radius;
+        std::vector<int> expected;
+        for (int triangle = 0; triangle < static_cast<int>(vessel.wall.triangles.size());
+             ++triangle) {
+            std::array<Vec3, 3> corners;
+            for (std::size_t k = 0; k < 3; ++k) {
+                corners[k] = vessel.wall.points[static_cast<std::size_t>(
+                    vessel.wall.triangles[static_cast<std::size_t>(triangle)][k])];
+            }
+            if (distance_to_triangle(point, corners) <= distance) expected.push_back(triangle);
+        }
+        std::vector<int> found;
+        for (const WallPoint& piece : tree.within(point, distance)) {
+            found.push_back(piece.triangle);
+            EXPECT_NEAR((piece.point - point).norm(), piece.distance, 1e-15);
+        }
+        EXPECT_EQ(found, expected) << i;
+        num_found += found.size();
+    }
+    EXPECT_GT(num_found, 100U);
+}
+
 TEST(Contains, TellsInsideFromOutsideOfATube)
 {
     const WallTree wall(test::tube_vessel(radius, length, around, along));

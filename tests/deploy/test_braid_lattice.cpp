@@ -1,3 +1,5 @@
+#include "core/error.hpp"
+#include "core/vector.hpp"
 #include "deploy/braid_lattice.hpp"
 #include "support/devices.hpp"
 
@@ -6,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <string>
 
 namespace braidzone {
 
@@ -42,6 +45,64 @@ TEST(MakeLattice, KeepsThreeRingsForTheShortestDevice)
     FlowDiverter device = pipeline_4x20();
     device.nominal_length = 0.05e-3;
     EXPECT_EQ(make_lattice(device).num_rings, 3);
+}
+
+// 36 gaps of 20 mm / 36 = 0.555556 mm; arcs of 3 * 2 pi 2 mm / 24 = 1.570796 mm, so that l0 =
+// sqrt(0.555556^2 + 1.570796^2) = 1.666147 mm.
+TEST(MakeLattice, ReproducesTheLatticeOfThePaper)
+{
+    const BraidLattice lattice = make_lattice(pipeline_4x20(), LatticeKind::paper_2020);
+    EXPECT_EQ(lattice.nodes_per_ring, 24);
+    EXPECT_EQ(lattice.num_rings, 37);
+    EXPECT_NEAR(lattice.ring_spacing, 0.555556e-3, 1e-9);
+    EXPECT_NEAR(lattice.arm_length, 1.666147e-3, 1e-9);
+    EXPECT_EQ(lattice.angle(5, 7), lattice.angle(6, 7));
+}
+
+// At 2.1 mm at the ends and 2 mm in the middle, no arm is longer or shorter than at rest.
+TEST(MakeLattice, LetsAFlareRestWithoutStretchingAnArm)
+{
+    FlowDiverter device = pipeline_4x20();
+    device.distal_flare = 0.1e-3;
+    device.proximal_flare = -0.2e-3;
+    device.flare_length = 2e-3;
+    const BraidLattice lattice = make_lattice(device);
+    EXPECT_DOUBLE_EQ(lattice.rest_radius(0), 2.1e-3);
+    EXPECT_DOUBLE_EQ(lattice.rest_radius(lattice.num_rings / 2), 2e-3);
+    EXPECT_DOUBLE_EQ(lattice.rest_radius(lattice.num_rings - 1), 1.8e-3);
+    for (int ring = 0; ring + 1 < lattice.num_rings; ++ring) {
+        const auto place = [&](int k, int column, double z) {
+            const double angle = lattice.angle(k, column);
+            return Vec3(lattice.rest_radius(k) * std::cos(angle),
+                        lattice.rest_radius(k) * std::sin(angle), z);
+        };
+        const double z = lattice.gap_spacing(ring);
+        for (int step : lattice.arm_steps) {
+            EXPECT_NEAR((place(ring + 1, 3 + step, z) - place(ring, 3, 0.0)).norm(),
+                        lattice.arm_length, 1e-15);
+        }
+    }
+    EXPECT_LT(lattice.gap_spacing(0), lattice.ring_spacing);
+    EXPECT_GT(lattice.gap_spacing(lattice.num_rings - 2), lattice.ring_spacing);
+}
+
+// The paper's lattice of a 4 x 20 mm device, t = 0.354, opens less than the crossings, t = 0.40: to
+// 2 mm sqrt(1 + 0.354^2) = 2.1214 mm against 2.154 mm.
+TEST(MakeLattice, RefusesAFlareToWhichTheBraidCannotOpen)
+{
+    FlowDiverter device = pipeline_4x20();
+    device.proximal_flare = 0.15e-3;
+    device.flare_length = 4e-3;
+    EXPECT_NO_THROW(make_lattice(device));
+    try {
+        make_lattice(device, LatticeKind::paper_2020);
+        FAIL() << "no ConfigError";
+    } catch (const ConfigError& error) {
+        const std::string message = error.what();
+        EXPECT_NE(message.find("device.proximal_flare: the braid cannot lie"), std::string::npos)
+            << message;
+        EXPECT_NE(message.find("opens to 2.1214 mm"), std::string::npos) << message;
+    }
 }
 
 // A quarter of each rhombus goes to each of its corners, so the shares add up to the rhombi.

@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "deploy/deployment.hpp"
 #include "deploy/deployment_measures.hpp"
+#include "deploy/spring_forces.hpp"
 #include "support/devices.hpp"
 #include "support/shapes.hpp"
 
@@ -118,6 +119,144 @@ TEST(Deploy, EndsInAShapeThatDoesNotDependOnTheWayThere)
     EXPECT_LT(largest_shift(reference, deploy_in_bulge({.time_step_ratio = 0.2})), 1e-6);
     EXPECT_LT(largest_shift(reference, deploy_in_bulge({.damping = 0.03})), 1e-6);
     EXPECT_LT(largest_shift(reference, deploy_in_bulge({.release_interval = 25})), 1e-6);
+}
+
+TEST(Deploy, EndsInTheSameShapeReleasedAtOnceOrWithoutInertia)
+{
+    const Deployment reference = deploy_in_bulge();
+    DeployOptions options;
+    options.release_order = ReleaseOrder::at_once;
+    EXPECT_LT(largest_shift(reference, deploy_in_bulge(options)), 1e-6);
+    options = {};
+    options.motion = Motion::quasi_static;
+    options.residual_tolerance = 1e-5;  // without inertia, soft modes creep
+    EXPECT_LT(largest_shift(reference, deploy_in_bulge(options)), 1e-6);
+}
+
+// Balance of every ring in the direction of its rays: what the springs push, the wall bears or the
+// node is free and bears nothing.
+TEST(Deploy, BalancesSpringForcesByContactForces)
+{
+    const FlowDiverter device = [] {
+        FlowDiverter bulging = short_device();
+        bulging.nominal_length = 8e-3;
+        return bulging;
+    }();
+    const Deployment deployment = deploy_in_bulge({.bending_ratio = 0.0});
+    const SpringCoefficients c = spring_coefficients(device, deployment.lattice, 0.0);
+    double springs = 0.0, contact = 0.0;
+    for (int ring = 0; ring < deployment.lattice.num_rings; ++ring) {
+        for (int column = 0; column < deployment.lattice.nodes_per_ring; ++column) {
+            const std::size_t i = static_cast<std::size_t>(deployment.lattice.node(ring, column));
+            const Vec3 ray =
+                (deployment.nodes[i] - deployment.rings[static_cast<std::size_t>(ring)].origin)
+                    .normalized();
+            springs += c.force_scale * ray.dot(spring_force(deployment.lattice, c, deployment.nodes,
+                                                            deployment.rings, ring, column));
+            contact += deployment.contact_force[i];
+        }
+    }
+    EXPECT_GT(contact, 1e-3);
+    EXPECT_NEAR(contact, springs, 0.01 * springs);
+}
+
+TEST(Deploy, RecordsShapesFromTheFirstReleaseToRest)
+{
+    DeployOptions options;
+    options.num_frames = 9;
+    const Deployment deployment = deploy_in_bulge(options);
+    ASSERT_EQ(deployment.frames.size(), 9u);
+    EXPECT_EQ(deployment.frames.front().step, 0);
+    EXPECT_EQ(deployment.frames.front().num_released, 1);
+    EXPECT_EQ(deployment.frames.back().step, deployment.steps);
+    EXPECT_EQ(deployment.frames.back().num_released, deployment.lattice.num_rings);
+    EXPECT_EQ(deployment.frames.back().nodes, deployment.nodes);
+    EXPECT_TRUE(deploy_in_bulge().frames.empty());
+}
+
+TEST(Deploy, TellsHowTheForcesFadedAway)
+{
+    const Deployment deployment = deploy_in_bulge();
+    ASSERT_GT(deployment.residual_history.size(), 5u);
+    EXPECT_EQ(deployment.residual_history.back().step, deployment.steps);
+    EXPECT_EQ(deployment.residual_history.back().residual, deployment.max_force_residual);
+    EXPECT_GT(deployment.residual_history.front().residual, deployment.force_tolerance);
+}
+
+// The rings of both lattices end in the same place. Over the bulge, where the lattices' kinematics
+// count, their free radii differ, see `BraidLattice`.
+TEST(Deploy, GivesTheCrossingsWhateverLatticeWasDeployed)
+{
+    const Deployment crossings = deploy_in_bulge();
+    DeployOptions options;
+    options.lattice = LatticeKind::paper_2020;
+    options.num_frames = 3;
+    const Deployment paper = deploy_in_bulge(options);
+    EXPECT_TRUE(paper.converged);
+    ASSERT_EQ(paper.nodes.size(), crossings.nodes.size());
+    EXPECT_EQ(paper.frames.back().nodes, paper.nodes);
+    EXPECT_NEAR(paper.ring_arc_length.back(), crossings.ring_arc_length.back(), 0.06e-3);
+    const WallTree wall(bulging_vessel());
+    for (const Vec3& node : paper.nodes)
+        EXPECT_TRUE(wall.contains(node));
+    EXPECT_TRUE(inverted_rhombi(paper).empty());
+}
+
+// p = k d: the contact pressure over the undeformed wall's area, in equilibrium with the springs.
+// The deployed area is larger by d / r.
+TEST(Deploy, PressesACompliantWallOutByPressureOverStiffness)
+{
+    DeployOptions options;
+    options.wall_stiffness = 1e7;
+    const Deployment deployment = deploy_short(short_device(), 10e-3, options);
+    ASSERT_TRUE(deployment.converged);
+    for (int ring = 10; ring + 10 < deployment.lattice.num_rings; ++ring) {
+        const std::size_t i = static_cast<std::size_t>(deployment.lattice.node(ring, 4));
+        const double displacement = deployment.wall_displacement[i];
+        EXPECT_GT(displacement, 2e-6);
+        EXPECT_EQ(deployment.wall_distance[i], 0.0);
+        EXPECT_TRUE(deployment.in_contact[i]);
+        EXPECT_NEAR(deployment.contact_pressure[i] * (1.0 + displacement / radius),
+                    options.wall_stiffness * displacement,
+                    2e-3 * options.wall_stiffness * displacement);
+    }
+}
+
+TEST(Deploy, LeavesARigidWallWhereItIs)
+{
+    const Deployment deployment = deploy_short(short_device(), 10e-3);
+    for (double displacement : deployment.wall_displacement)
+        EXPECT_EQ(displacement, 0.0);
+}
+
+// Free of the wall, a device with a flare and a cone rests at the radii that were set into it.
+TEST(Deploy, OpensEndsToTheirOwnRadius)
+{
+    FlowDiverter device = test::pipeline_4x20();
+    device.nominal_length = 8e-3;
+    device.distal_flare = 0.1e-3;
+    device.proximal_flare = -0.2e-3;
+    const TriangleMesh waisted = [] {
+        TriangleMesh mesh = test::tube(2.6e-3, length, 96, 96);
+        for (Vec3& point : mesh.points)
+            point.head<2>() *=
+                1.0 - 0.27 * std::exp(-std::pow((point.z() - 0.5 * length) / 0.8e-3, 2));
+        return mesh;
+    }();
+    const Vessel vessel = make_vessel(waisted, LengthUnit{"mm", 1e-3});
+    const Deployment deployment = deploy(device, test::tube_centerline(1.9e-3, length),
+                                         WallTree(vessel), 10e-3, ReleaseSchedule{}, {});
+    ASSERT_TRUE(deployment.converged);
+    const BraidLattice& lattice = deployment.lattice;
+    const auto opened = [&](int ring) {
+        return (deployment.nodes[static_cast<std::size_t>(lattice.node(ring, 0))] -
+                deployment.rings[static_cast<std::size_t>(ring)].origin)
+            .norm();
+    };
+    EXPECT_NEAR(opened(0), 2.1e-3, 2e-6);
+    EXPECT_NEAR(opened(lattice.num_rings - 1), 1.8e-3, 2e-6);
+    EXPECT_NEAR(deployment.ring_arc_length[0] - deployment.ring_arc_length[1],
+                lattice.gap_spacing(0), 1e-9);
 }
 
 TEST(Deploy, GivesTheSameBytesTwice)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <numbers>
 
@@ -149,9 +150,13 @@ TEST_F(DeviceLibrary, RefusesAnUnknownDeviceWithTheNearestName)
 TEST_F(DeviceLibrary, ListsWhatAnIncompleteDeviceLacks)
 {
     EXPECT_EQ(message("name = \"p64\"\ndiameter = \"4 mm\"\nlength = \"20 mm\"\n"),
-              "case.toml:2: device.name: device p64 is incomplete; these keys must be given in "
-              "[device]: wire_diameter, braid_ratio, surface_coefficient, radial_coefficient, "
-              "reference_node_area, force_scale");
+              "case.toml:2: device.name: device p64 is incomplete; with forces = \"wire-theory\" "
+              "these keys must be given in [device]: wire_diameter, braid_ratio, youngs_modulus");
+    EXPECT_EQ(message("name = \"p64\"\ndiameter = \"4 mm\"\nlength = \"20 mm\"\n"
+                      "forces = \"springs\"\n"),
+              "case.toml:2: device.name: device p64 is incomplete; with forces = \"springs\" these "
+              "keys must be given in [device]: wire_diameter, braid_ratio, surface_coefficient, "
+              "radial_coefficient, reference_node_area, force_scale");
     const FlowDiverter device = read(R"(name = "p64"
 diameter = "4 mm"
 length = "20 mm"
@@ -181,6 +186,78 @@ force_scale = 1.0
     EXPECT_EQ(read("name = \"prototype\"\n" + complete).name, "prototype");
     EXPECT_EQ(read(complete).name, "custom");
     EXPECT_TRUE(notes_.empty());
+}
+
+TEST_F(DeviceLibrary, TakesForcesFromSpringsWhereTheyAreKnown)
+{
+    const std::string size = "diameter = \"4 mm\"\nlength = \"20 mm\"\n";
+    EXPECT_EQ(read("name = \"pipeline-flex\"\n" + size).forces, ForceSource::springs);
+    FlowDiverter device = read("name = \"pipeline-flex\"\nforces = \"wire-theory\"\n" + size);
+    EXPECT_EQ(device.forces, ForceSource::wire_theory);
+    EXPECT_EQ(device.youngs_modulus, 200e9);
+    EXPECT_EQ(device.poisson_ratio, 0.3);
+    EXPECT_FALSE(noted("force_scale"));  // it does not count
+    device = read("name = \"surpass-streamline\"\n" + size);
+    EXPECT_EQ(device.forces, ForceSource::wire_theory);
+    EXPECT_EQ(device.surface_coefficient, 0.0);
+    EXPECT_EQ(message("name = \"pipeline-flex\"\nforces = \"magic\"\n" + size),
+              "case.toml:3: device.forces = \"magic\" is not known; allowed are springs, "
+              "wire-theory");
+}
+
+TEST_F(DeviceLibrary, NeedsNoEntryForABraidThatIsKnownByItsWires)
+{
+    const FlowDiverter device = read(R"(name = "prototype"
+diameter = "4 mm"
+length = "20 mm"
+num_wires = 48
+wire_diameter = "30 um"
+nominal_porosity = 0.7152
+catheter_diameter = "0.5 mm"
+youngs_modulus = "58 GPa"
+poisson_ratio = 0.33
+distal_flare = "0.1 mm"
+proximal_flare = "-0.2 mm"
+flare_length = "2 mm"
+)");
+    EXPECT_EQ(device.forces, ForceSource::wire_theory);
+    EXPECT_EQ(device.youngs_modulus, 58e9);
+    EXPECT_EQ(device.poisson_ratio, 0.33);
+    EXPECT_EQ(device.distal_flare, 0.1e-3);
+    EXPECT_EQ(device.proximal_flare, -0.2e-3);
+    EXPECT_EQ(device.flare_length, 2e-3);
+    // f = 48 * 30 um / (2 pi 4 mm sin b) with tan b = 0.4 is 0.15427, (1 - f)^2 = 0.71526.
+    EXPECT_NEAR(device.braid_ratio, 0.40, 2e-4);
+}
+
+// Surpass at 4 mm: f = 1 - sqrt(0.7) = 0.163340, sin b = 72 * 28 um / (2 pi 4 mm f) = 0.491086.
+TEST_F(DeviceLibrary, FindsTheBraidRatioFromThePorosity)
+{
+    const std::string size = "diameter = \"4 mm\"\nlength = \"20 mm\"\n";
+    const FlowDiverter device = read("name = \"surpass-streamline\"\n" + size);
+    EXPECT_NEAR(device.braid_ratio, std::tan(std::asin(0.491086)), 1e-5);
+    EXPECT_EQ(read("name = \"surpass-streamline\"\nbraid_ratio = 0.5\n" + size).braid_ratio, 0.5);
+    EXPECT_NEAR(read("name = \"pipeline-flex\"\nnominal_porosity = 0.7152\n" + size).braid_ratio,
+                0.40, 2e-4);
+    EXPECT_EQ(
+        message("name = \"pipeline-flex\"\nnominal_porosity = 0.7\nbraid_ratio = 0.4\n" + size),
+        "case.toml:3: device.nominal_porosity stands beside braid_ratio, which follows from "
+        "it: keep one of them");
+}
+
+TEST_F(DeviceLibrary, ListsWhichSourceOfForcesADeviceHas)
+{
+    for (const DeviceModel& model : device_library()) {
+        if (model.name == "pipeline-flex") {
+            EXPECT_EQ(model.force_sources,
+                      (std::vector{ForceSource::springs, ForceSource::wire_theory}));
+        } else if (model.name == "surpass-streamline" || model.name == "pipeline-vantage" ||
+                   model.name == "silk-plus") {
+            EXPECT_EQ(model.force_sources, std::vector{ForceSource::wire_theory}) << model.name;
+        } else {
+            EXPECT_FALSE(model.complete) << model.name;
+        }
+    }
 }
 
 TEST_F(DeviceLibrary, NamesThePlaceOfAValueThatIsNoBraid)

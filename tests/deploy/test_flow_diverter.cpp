@@ -83,5 +83,93 @@ TEST(FlowDiverter, RefusesWhatIsNoBraidAndSaysWhy)
     }
 }
 
+FlowDiverter wire_device()
+{
+    FlowDiverter device = sound_device();
+    device.surface_coefficient = device.radial_coefficient = device.reference_node_area = 0.0;
+    device.forces = ForceSource::wire_theory;
+    device.youngs_modulus = 200e9;
+    return device;
+}
+
+TEST(FlowDiverter, NeedsNoSpringsWithWireTheory)
+{
+    EXPECT_FALSE(find_invalid(wire_device()).has_value());
+}
+
+TEST(FlowDiverter, RefusesWiresWithoutModuli)
+{
+    const auto finding = [](double modulus, double poisson_ratio) {
+        FlowDiverter device = wire_device();
+        device.youngs_modulus = modulus;
+        device.poisson_ratio = poisson_ratio;
+        const auto invalid = find_invalid(device);
+        return invalid ? invalid->key + " " + invalid->finding : "accepted";
+    };
+    EXPECT_EQ(finding(0.0, 0.3), "youngs_modulus = 0 Pa is not positive");
+    EXPECT_EQ(finding(200e9, 0.6), "poisson_ratio = 0.6 is out of range; allowed are 0 to 0.5");
+    EXPECT_EQ(finding(200e9, std::numeric_limits<double>::quiet_NaN()),
+              "poisson_ratio = nan is out of range; allowed are 0 to 0.5");
+}
+
+// Widest: 2 mm (sqrt(1.16) - 1) = 0.154066 mm; narrowest: the catheter's 0.345 mm less 2 mm.
+TEST(FlowDiverter, RefusesAFlareBeyondTheBraid)
+{
+    FlowDiverter device = sound_device();
+    device.distal_flare = 0.15e-3;
+    device.proximal_flare = -1.6e-3;
+    EXPECT_FALSE(find_invalid(device).has_value());
+    device.distal_flare = 0.16e-3;
+    auto invalid = find_invalid(device);
+    ASSERT_TRUE(invalid.has_value());
+    EXPECT_EQ(invalid->key, "distal_flare");
+    EXPECT_EQ(invalid->finding,
+              "= 0.16 mm is out of range; a braid of radius 2 mm and ratio 0.4 allows -1.655 to "
+              "0.154066 mm");
+    device.distal_flare = 0.0;
+    device.proximal_flare = -1.7e-3;
+    invalid = find_invalid(device);
+    ASSERT_TRUE(invalid.has_value());
+    EXPECT_EQ(invalid->key, "proximal_flare");
+    device.proximal_flare = 0.0;
+    device.flare_length = 0.0;
+    invalid = find_invalid(device);
+    ASSERT_TRUE(invalid.has_value());
+    EXPECT_EQ(invalid->key + " " + invalid->finding, "flare_length = 0 m is not positive");
+}
+
+// 48 wires of 30 um along the axis of 4 mm cover f = 0.0572958 with one family each.
+TEST(BraidRatioAtPorosity, RefusesWhatNoAngleGives)
+{
+    const auto message = [](double porosity) -> std::string {
+        try {
+            braid_ratio_at_porosity(sound_device(), porosity);
+        } catch (const ConfigError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    EXPECT_EQ(
+        message(0.9),
+        "nominal_porosity = 0.9 is too large: 48 wires of 30 um leave less than 0.888691 of a "
+        "device of 4 mm open");
+    EXPECT_EQ(message(1.0), "nominal_porosity = 1 is out of range; it must lie between 0 and 1");
+    EXPECT_EQ(message(0.0), "nominal_porosity = 0 is out of range; it must lie between 0 and 1");
+    EXPECT_EQ(message(0.88), "accepted");
+}
+
+TEST(ForceOrigin, NamesTheSourceAndItsFigures)
+{
+    FlowDiverter device = sound_device();
+    device.force_scale = 61.0;
+    EXPECT_EQ(force_origin(device),
+              "spring coefficients of 0.6 N/m (surface) and 0.1 N/m (radial, a node of 0.29 mm^2), "
+              "force scale 61");
+    EXPECT_EQ(
+        force_origin(wire_device()),
+        "wire theory (Jedwab and Clerc 1993): 48 wires of 30 um, E = 200 GPa, Poisson's ratio "
+        "0.3");
+}
+
 }  // namespace
 }  // namespace braidzone

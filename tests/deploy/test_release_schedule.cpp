@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+
 namespace braidzone {
 
 TEST(RingPositions, AreNominalWithoutWindows)
@@ -41,6 +44,35 @@ TEST(RingPositions, DoNotDependOnTheFinenessOfTheLattice)
     EXPECT_NEAR(coarse, fine, 1e-12);
 }
 
+// lambda = 0.5 + 0.1 / mm * s: the braid between s and 10 mm is 10 mm ln(lambda(10) / lambda(s)).
+// 20 rings of 0.5 mm are 9.5 mm: lambda = 1.5 exp(-0.95) = 0.580112, s = 0.801116 mm.
+TEST(RingPositions, IntegrateATableExactly)
+{
+    const ReleaseSchedule schedule{.windows = {}, .table = {{0.0, 0.5}, {10e-3, 1.5}}};
+    const std::vector<double> coarse = ring_positions(schedule, 10e-3, 0.5e-3, 20);
+    EXPECT_NEAR(coarse.back(), 10e-3 * (1.5 * std::exp(-0.95) - 0.5), 1e-15);
+    EXPECT_NEAR(coarse.back(), 0.801116e-3, 1e-9);
+    const std::vector<double> fine = ring_positions(schedule, 10e-3, 0.05e-3, 191);
+    EXPECT_NEAR(fine.back(), coarse.back(), 1e-14);
+}
+
+// 2 mm of braid at lambda = 1.5 beyond the table's end take 3 mm, then 0.4 below it takes over.
+TEST(RingPositions, HoldATableBeyondItsEnds)
+{
+    const ReleaseSchedule schedule{.windows = {}, .table = {{5e-3, 1.5}, {6e-3, 1.5}}};
+    EXPECT_NEAR(ring_positions(schedule, 10e-3, 1e-3, 6).back(), 2.5e-3, 1e-15);
+}
+
+// Force-free spacing of 1.2 everywhere, halved in the window: 3 mm of braid from 10 mm to 8 mm
+// (1.667 mm of braid) and on for 1.333 mm of braid at 0.6.
+TEST(RingPositions, MultiplyTheTableByTheWindows)
+{
+    const ReleaseSchedule schedule{.windows = {{.from = 2e-3, .to = 8e-3, .spacing = 0.5}},
+                                   .table = {{0.0, 1.2}, {10e-3, 1.2}}};
+    EXPECT_NEAR(ring_positions(schedule, 10e-3, 0.1e-3, 31).back(),
+                8e-3 - 0.6 * (3e-3 - 2e-3 / 1.2), 1e-14);
+}
+
 TEST(Validate, RefusesReversedOverlappingAndImpossibleWindows)
 {
     EXPECT_THROW(validate(ReleaseSchedule{{{.from = 2e-3, .to = 1e-3, .spacing = 1.0}}}),
@@ -52,6 +84,44 @@ TEST(Validate, RefusesReversedOverlappingAndImpossibleWindows)
                  ConfigError);
     EXPECT_NO_THROW(validate(ReleaseSchedule{
         {{.from = 1e-3, .to = 2e-3, .spacing = 0.5}, {.from = 2e-3, .to = 4e-3, .spacing = 1.5}}}));
+}
+
+namespace {
+
+std::string refusal(const ReleaseSchedule& schedule)
+{
+    try {
+        validate(schedule);
+    } catch (const ConfigError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+}  // namespace
+
+TEST(Validate, RefusesATableBesideAnotherSchedule)
+{
+    ReleaseSchedule schedule{.windows = {}, .table = {{0.0, 1.0}, {10e-3, 1.5}}};
+    EXPECT_EQ(refusal(schedule), "accepted");
+    schedule.mode = ReleaseMode::force_free;
+    EXPECT_EQ(refusal(schedule),
+              "spacing_table is the whole schedule; release = \"force_free\" cannot stand beside "
+              "it: keep one of them");
+    schedule.mode = ReleaseMode::nominal;
+    schedule.windows = {{.from = 1e-3, .to = 2e-3, .spacing = 0.5}};
+    EXPECT_EQ(refusal(schedule),
+              "spacing_table is the whole schedule; push_pull cannot stand beside it: keep one of "
+              "them");
+}
+
+TEST(Validate, RefusesATableThatIsNoFunctionOfPlace)
+{
+    EXPECT_EQ(refusal({.windows = {}, .table = {{2e-3, 1.0}, {1e-3, 1.5}}}),
+              "spacing_table: 1 mm follows 2 mm; arc lengths must increase");
+    EXPECT_EQ(refusal({.windows = {}, .table = {{1e-3, 1.0}, {2e-3, 4.5}}}),
+              "spacing_table: lambda = 4.5 at 2 mm; allowed are 0.05 to 4 times the nominal "
+              "spacing");
 }
 
 }  // namespace braidzone

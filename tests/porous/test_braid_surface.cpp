@@ -29,7 +29,8 @@ TEST(MakeBraidSurface, HoldsOneEntryForEachRhombus)
     EXPECT_EQ(surface.normals.size(), count);
     EXPECT_EQ(surface.wire_length.size(), count);
     EXPECT_EQ(surface.points.size(), deployment.nodes.size());
-    EXPECT_EQ(surface.wire_diameter, device.wire_diameter);
+    EXPECT_EQ(surface.wire_diameter,
+              std::vector<double>(surface.rhombi.size(), device.wire_diameter));
 }
 
 TEST(MakeBraidSurface, ForceFreeDeviceHasNoDensityIncrease)
@@ -111,7 +112,7 @@ TEST(Measure, WireLengthIsThatOfAllArms)
     const FlowDiverter device = test::pipeline_4x20();
     const Deployment deployment = force_free(device);
     const BraidLattice& lattice = deployment.lattice;
-    const BraidMeasures measures = measure(make_braid_surface(deployment, device), 0.1e-3);
+    const BraidMeasures measures = measure(make_braid_surface(deployment, device));
     const double chord = std::hypot(
         lattice.ring_spacing,
         2.0 * lattice.nominal_radius * std::sin(0.5 * std::numbers::pi / lattice.nodes_per_ring));
@@ -126,8 +127,8 @@ TEST(Measure, WireLengthOfASheetCountsItsEdgesOnce)
 {
     const BraidSurface sheet =
         test::flat_braid(Vec3::Zero(), Vec3(1e-3, 0, 0), 3, Vec3(0, 1e-3, 0), 2, 30e-6);
-    EXPECT_NEAR(measure(sheet, 0.0).wire_length, 17e-3, 1e-15);
-    EXPECT_NEAR(measure(sheet, 0.0).device_area, 6e-6, 1e-18);
+    EXPECT_NEAR(measure(sheet).wire_length, 17e-3, 1e-15);
+    EXPECT_NEAR(measure(sheet).device_area, 6e-6, 1e-18);
 }
 
 TEST(Measure, NeckFiguresAreAbsentWithoutANeck)
@@ -137,7 +138,7 @@ TEST(Measure, NeckFiguresAreAbsentWithoutANeck)
     const BraidSurface apposed = make_braid_surface(
         test::braid_on_cylinder(device, lattice.nominal_radius, lattice.ring_spacing, 20e-3, 1e-6),
         device);
-    const BraidMeasures measures = measure(apposed, 0.1e-3);
+    const BraidMeasures measures = measure(apposed);
     EXPECT_FALSE(measures.mean_metal_coverage_neck.has_value());
     EXPECT_FALSE(measures.mean_density_increase_neck.has_value());
     EXPECT_FALSE(measures.mean_pore_density_neck.has_value());
@@ -152,15 +153,16 @@ TEST(Measure, WeighsByAreaAndSeparatesTheNeck)
         test::flat_braid(Vec3::Zero(), Vec3(3e-3, 0, 0), 1, Vec3(0, 1e-3, 0), 1, 100e-6);
     surface.rhombi.push_back(wide.rhombi[0]);
     surface.density_increase = {0.0, 1.0};
-    surface.wall_distance = {0.0, 1e-3};
     surface.wire_length.push_back(0.0);
-    const BraidMeasures measures = measure(surface, 0.5e-3);
+    surface.wire_diameter.push_back(100e-6);
+    const BraidMeasures measures = measure(surface, {NeckPart::opposite, NeckPart::over});
     EXPECT_NEAR(measures.mean_density_increase, 0.75, 1e-12);
     // s = 0.1 and 0.1; 0.1 (the rows along the long side are 1 mm apart) and 1/30.
     const double coverage_narrow = 0.19, coverage_wide = 0.1 + 1.0 / 30.0 - 0.1 / 30.0;
     EXPECT_NEAR(measures.mean_metal_coverage, (coverage_narrow + 3.0 * coverage_wide) / 4.0, 1e-12);
     EXPECT_NEAR(measures.mean_metal_coverage_neck.value(), coverage_wide, 1e-12);
     EXPECT_NEAR(measures.mean_density_increase_neck.value(), 1.0, 1e-12);
+    EXPECT_NEAR(measures.mean_density_increase_neck_rings.value(), 0.75, 1e-12);
     EXPECT_NEAR(measures.mean_pore_density_neck.value(), 1.0 / 3e-6, 1e-6);
 }
 

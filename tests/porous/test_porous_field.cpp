@@ -100,7 +100,7 @@ TEST(Deposit, ApposedDeviceIsMetalWithoutResistance)
         make_resistance_sheet(make_braid_surface(deployment, device), law, fluid);
     const PorousField field = deposit(sheet, test::tube_vessel(2e-3, 10e-3), {.spacing = 0.1e-3});
     EXPECT_EQ(resistance_integral(field), 0.0);
-    const double metal = measure(sheet.surface, 0.1e-3).metal_volume;
+    const double metal = measure(sheet.surface).metal_volume;
     EXPECT_NEAR(metal_volume(field), metal, 1e-10 * metal);
     for (std::size_t i = 0; i < field.voxels.size(); ++i) {
         const auto voxel = static_cast<std::size_t>(field.voxels[i]);

@@ -35,4 +35,20 @@ inline FlowDiverter pipeline_5x20()
     return device;
 }
 
+/// A Pipeline of the given size with forces from its wires: 48 of 200 GPa, and the ratio of the
+/// paper's Table 1 for that diameter.
+inline FlowDiverter wire_pipeline(double diameter, double braid_ratio, double wire_diameter = 30e-6)
+{
+    FlowDiverter device;
+    device.name = "pipeline-flex";
+    device.num_wires = 48;
+    device.wire_diameter = wire_diameter;
+    device.nominal_diameter = diameter;
+    device.nominal_length = 20e-3;
+    device.braid_ratio = braid_ratio;
+    device.forces = ForceSource::wire_theory;
+    device.youngs_modulus = 200e9;
+    return device;
+}
+
 }  // namespace braidzone::test

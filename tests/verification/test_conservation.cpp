@@ -76,7 +76,7 @@ double weighted_sum(const PorousField& field, const std::vector<double>& values,
 void expect_conserved(const PorousField& field, const ResistanceSheet& sheet)
 {
     const auto one = [](const Vec3&) { return 1.0; };
-    const BraidMeasures measures = measure(sheet.surface, 0.0);
+    const BraidMeasures measures = measure(sheet.surface);
     const double darcy = resistance_integral(sheet);
     const double forchheimer = forchheimer_integral(sheet);
     EXPECT_NEAR(resistance_integral(field), darcy, round_off * darcy);

@@ -93,10 +93,8 @@ TEST(Coverage, MetalVolumeIsThatOfTheHelicalWires)
 {
     const FlowDiverter device = test::pipeline_4x20();
     const BraidLattice lattice = make_lattice(device);
-    const BraidMeasures measures =
-        measure(make_braid_surface(
-                    test::braid_on_cylinder(device, radius, lattice.ring_spacing, 20e-3), device),
-                0.1e-3);
+    const BraidMeasures measures = measure(make_braid_surface(
+        test::braid_on_cylinder(device, radius, lattice.ring_spacing, 20e-3), device));
     const double length = (lattice.num_rings - 1) * lattice.ring_spacing;
     const double cos_alpha = std::cos(std::atan(1.0 / device.braid_ratio));
     const double cross_section =

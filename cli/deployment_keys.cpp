@@ -1,0 +1,182 @@
+#include "cli/deployment_keys.hpp"
+
+#include "cli/key_checks.hpp"
+#include "core/error.hpp"
+#include "deploy/spacing_table.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace braidzone {
+namespace {
+
+template <typename Choice>
+using Names = std::array<std::pair<Choice, std::string_view>, 2>;
+
+constexpr Names<LatticeKind> lattices{
+    {{LatticeKind::crossings, "crossings"}, {LatticeKind::paper_2020, "paper-2020"}}};
+constexpr Names<AxialMotion> axial_motions{
+    {{AxialMotion::locked, "locked"}, {AxialMotion::free, "free"}}};
+constexpr Names<ReleaseMode> release_modes{
+    {{ReleaseMode::nominal, "nominal"}, {ReleaseMode::force_free, "force_free"}}};
+constexpr Names<ReleaseOrder> release_orders{
+    {{ReleaseOrder::ring_by_ring, "ring_by_ring"}, {ReleaseOrder::at_once, "at_once"}}};
+constexpr Names<Motion> motions{
+    {{Motion::inertial, "inertial"}, {Motion::quasi_static, "quasi_static"}}};
+constexpr Names<RingHub> ring_hubs{{{RingHub::fixed, "fixed"}, {RingHub::free, "free"}}};
+
+template <typename Choice>
+std::string_view name_in(const Names<Choice>& names, Choice choice)
+{
+    return names[0].first == choice ? names[0].second : names[1].second;
+}
+
+/// One of two choices, by its name.
+template <typename Choice>
+Choice read_choice(const TomlTable& table, const std::string& key, const Names<Choice>& names,
+                   Choice fallback)
+{
+    const std::string name = one_of(table, key, std::string(name_in(names, fallback)),
+                                    {std::string(names[0].second), std::string(names[1].second)});
+    return names[0].second == name ? names[0].first : names[1].first;
+}
+
+}  // namespace
+
+PlaceOnCenterline read_place(const TomlTable& table, const std::string& key)
+{
+    if (table.is_array(key)) return table.point(key);
+    return table.quantity(key, Dimension::length);
+}
+
+ReleaseSchedule read_schedule(const TomlTable& table)
+{
+    ReleaseSchedule schedule;
+    for (const TomlTable& window : table.tables("push_pull")) {
+        schedule.windows.push_back({window.quantity("from", Dimension::length),
+                                    window.quantity("to", Dimension::length),
+                                    window.number("spacing")});
+    }
+    schedule.mode = read_choice(table, "release", release_modes, schedule.mode);
+    if (table.has("spacing_table")) {
+        schedule.table_file = (table.folder() / table.text("spacing_table")).lexically_normal();
+        schedule.table = read_spacing_table(schedule.table_file);
+    }
+    try {
+        validate(schedule);
+    } catch (const ConfigError& error) {
+        const std::string key = schedule.table.empty() ? "push_pull" : "spacing_table";
+        throw ConfigError(fmt::format("{}: {}", table.where(key), error.what()));
+    }
+    return schedule;
+}
+
+namespace {
+
+double read_friction(const TomlTable& table, double fallback)
+{
+    if (!table.has("friction")) return fallback;
+    if (!table.is_text("friction"))
+        return require_not_negative(table, "friction", table.number("friction"));
+    return one_of(table, "friction", "", {"infinite", "none"}) == "none" ? 0.0 : infinite_friction;
+}
+
+void require_that_friction_matters(const TomlTable& table, const DeployOptions& options)
+{
+    if (options.friction == infinite_friction || options.axial == AxialMotion::free ||
+        options.hoop_migration)
+        return;
+    throw ConfigError(
+        fmt::format("{} = {:.6g} has no effect: no node can slide along the wall; allowed is "
+                    "\"infinite\", or set deployment.axial = \"free\" or "
+                    "deployment.hoop_migration = true",
+                    table.where("friction"), options.friction));
+}
+
+DeployOptions read_deploy_options(const TomlTable& table)
+{
+    DeployOptions options;
+    options.lattice = read_choice(table, "lattice", lattices, options.lattice);
+    options.axial = read_choice(table, "axial", axial_motions, options.axial);
+    options.release_order =
+        read_choice(table, "release_order", release_orders, options.release_order);
+    options.motion = read_choice(table, "motion", motions, options.motion);
+    options.ring_hub = read_choice(table, "ring_hub", ring_hubs, options.ring_hub);
+    options.hoop_migration = table.boolean_or("hoop_migration", options.hoop_migration);
+    options.friction = read_friction(table, options.friction);
+    require_that_friction_matters(table, options);
+    options.wall_stiffness =
+        positive_or(table, "wall_stiffness", Dimension::wall_stiffness, options.wall_stiffness);
+    options.centre_rings = table.boolean_or("centre_rings", options.centre_rings);
+    // At 1 the scheme is at the limit of stability.
+    options.time_step_ratio = require_positive(
+        table, "time_step_ratio", table.number_or("time_step_ratio", options.time_step_ratio), 1.0);
+    options.damping = positive_or(table, "damping", Dimension::damping, options.damping);
+    options.bending_ratio = require_not_negative(
+        table, "bending_ratio", table.number_or("bending_ratio", options.bending_ratio));
+    options.release_interval =
+        integer_in_range(table, "release_interval", options.release_interval, 1, 1000000);
+    options.residual_tolerance =
+        require_positive(table, "residual_tolerance",
+                         table.number_or("residual_tolerance", options.residual_tolerance), 1.0);
+    options.max_settling_steps =
+        integer_in_range(table, "max_settling_steps", options.max_settling_steps, 1, 1000000000);
+    options.num_frames = integer_in_range(table, "num_frames", options.num_frames, 0, 10000);
+    return options;
+}
+
+std::optional<ArcRange> read_neck(const TomlTable& table)
+{
+    if (!table.has("neck")) return std::nullopt;
+    const TomlTable neck = table.table("neck");
+    const ArcRange range{neck.quantity("from", Dimension::length),
+                         neck.quantity("to", Dimension::length)};
+    if (range.from < range.to) return range;
+    throw ConfigError(fmt::format("{} = {:.6g} mm must be greater than from = {:.6g} mm",
+                                  neck.where("to"), 1e3 * range.to, 1e3 * range.from));
+}
+
+}  // namespace
+
+DeploymentKeys read_deployment_keys(const TomlTable& table)
+{
+    return {read_place(table, "landing_distal"), read_schedule(table), read_deploy_options(table),
+            read_neck(table)};
+}
+
+std::string_view name_of(LatticeKind lattice)
+{
+    return name_in(lattices, lattice);
+}
+
+std::string_view name_of(AxialMotion axial)
+{
+    return name_in(axial_motions, axial);
+}
+
+std::string_view name_of(ReleaseMode mode)
+{
+    return name_in(release_modes, mode);
+}
+
+std::string_view name_of(ReleaseOrder order)
+{
+    return name_in(release_orders, order);
+}
+
+std::string_view name_of(Motion motion)
+{
+    return name_in(motions, motion);
+}
+
+std::string_view name_of(RingHub hub)
+{
+    return name_in(ring_hubs, hub);
+}
+
+}  // namespace braidzone

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/toml_reader.hpp"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace braidzone {
+
+// Ranges of case-file values. Each throws ConfigError with file, line, key, what was found and what
+// is allowed.
+
+/// The value, if it is positive and no larger than `highest`.
+double require_positive(const TomlTable& table, const std::string& key, double value,
+                        double highest = std::numeric_limits<double>::infinity());
+
+/// The value, if it is not negative.
+double require_not_negative(const TomlTable& table, const std::string& key, double value);
+
+/// A positive quantity [SI], or the fallback if the key is missing.
+double positive_or(const TomlTable& table, const std::string& key, Dimension dimension,
+                   double fallback);
+
+/// An integer from `lowest` to `highest`, or the fallback if the key is missing.
+int integer_in_range(const TomlTable& table, const std::string& key, int fallback, int lowest,
+                     int highest);
+
+/// A name out of a list, or the fallback if the key is missing.
+std::string one_of(const TomlTable& table, const std::string& key, const std::string& fallback,
+                   const std::vector<std::string>& allowed);
+
+}  // namespace braidzone

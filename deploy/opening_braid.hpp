@@ -1,0 +1,99 @@
+#pragma once
+
+#include "deploy/crimped_braid.hpp"
+#include "deploy/deploy_options.hpp"
+#include "deploy/equation_of_motion.hpp"
+#include "deploy/spring_forces.hpp"
+#include "deploy/wall_contact.hpp"
+
+#include <vector>
+
+namespace braidzone {
+
+/// A braid whose rings are locked in their planes, in motion: released rings move, the others wait
+/// at the catheter's radius. A node moves along its ray.
+///
+///     m r'' = f_springs + f_bending + f_wall - k r'
+///
+/// Every force is the component along the node's ray. A rigid wall holds the node at its stop; a
+/// compliant one pushes back with f_wall = -K (r - stop) beyond it, and never pulls.
+///
+/// A free hub is two more coordinates in the plane of its ring, with the mass and damping of the
+/// ring's n nodes. It feels the opposite of its radial springs' forces. Nodes stay on their rays
+/// from the original hub.
+///
+/// Quasi-static motion drops the inertia: a node moves by mobility times force, the mobility being
+/// `time_step_ratio` times the largest that is stable, 2 / omega_max^2 at unit mass.
+class OpeningBraid {
+public:
+    /// @param coefficients  in the units of the paper's code, see `spring_coefficients`
+    OpeningBraid(const CrimpedBraid& braid, const SpringCoefficients& coefficients,
+                 const WallSupport& support, const DeployOptions& options);
+
+    void release_next_ring() { mark_moved(num_released_++); }
+    bool all_released() const { return num_released_ == lattice_.num_rings; }
+    int num_released() const { return num_released_; }
+
+    /// One time step of all released rings.
+    void step();
+    /// Brings the forces up to the shape after the last step.
+    void update_all_forces();
+
+    /// Largest force on a released node that is free to move, inward force on one that the wall no
+    /// longer holds, or force on a free hub, in the units of the coefficients, counting the kinetic
+    /// energy that is still in it: a node of speed v swings up to the force v sqrt(m c_radial).
+    double largest_residual() const;
+
+    /// Energy of springs, bent wires and compliant wall, in the units of the coefficients.
+    double elastic_energy() const;
+    /// Energy of the motion of the last step, m v^2 / 2; 0 if quasi-static.
+    double kinetic_energy() const;
+
+    /// Distance of each node to its hub, the original one, along its ray [m].
+    const std::vector<double>& radii() const { return radii_; }
+    const std::vector<Vec3>& nodes() const { return nodes_; }
+    /// Cross-sections of the rings with the hubs where they are now.
+    const std::vector<CrossSection>& rings() const { return rings_; }
+    /// Radial force of each node's springs, outwards; without the bending of the wires, as of the
+    /// start of the last step or the last update.
+    const std::vector<double>& spring_forces() const { return spring_forces_; }
+    /// How far each node has pushed a compliant wall outwards [m].
+    std::vector<double> wall_displacements() const;
+
+private:
+    /// Rings on either side that the force on a ring depends on.
+    static constexpr int reach = 2;
+
+    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+    void mark_moved(int ring) { moved_[index(ring + reach)] = 1; }
+    std::vector<char> awake_rings() const;
+    bool is_compliant() const { return !support_.stiffness.empty(); }
+    double wall_force(std::size_t node) const;
+    void update_forces(int ring);
+    void move(int ring);
+    void move_hub(int ring);
+    double next(double last_displacement, double force, double relative_mass) const;
+
+    const CrimpedBraid& braid_;
+    const BraidLattice& lattice_;
+    SpringCoefficients coefficients_;
+    WallSupport support_;
+    Motion motion_;
+    bool free_hubs_;
+    VerletScheme scheme_;    ///< of a node
+    double mobility_ = 0.0;  ///< displacement over force of a quasi-static step [m/N]
+    std::vector<CrossSection> rings_;
+    std::vector<double> radii_;
+    std::vector<Vec3> nodes_;            ///< [m]
+    std::vector<double> displacements_;  ///< along the ray in the last step [m]
+    std::vector<double> spring_forces_;
+    std::vector<double> forces_;  ///< of springs, bending and wall
+    std::vector<char> held_;      ///< 1 for a node at its stop
+    std::vector<Vec3> hub_displacements_;
+    std::vector<Vec3> hub_forces_;
+    std::vector<char> moved_;  ///< for ring k at k + reach, so that the ends need no case
+    int num_released_ = 0;
+};
+
+}  // namespace braidzone

@@ -1,0 +1,121 @@
+#include "deploy/spacing_table.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace braidzone {
+
+namespace {
+
+constexpr std::string_view header_form = "s_mm,lambda (or s_m, s_cm, s_um)";
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view white_space = " \t\r";
+    const auto first = text.find_first_not_of(white_space);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(white_space) - first + 1);
+}
+
+/// The two fields of a line; none if there are not two.
+std::optional<std::pair<std::string_view, std::string_view>> split_in_two(std::string_view line)
+{
+    const auto comma = line.find(',');
+    if (comma == std::string_view::npos) return std::nullopt;
+    const std::string_view second = line.substr(comma + 1);
+    if (second.find(',') != std::string_view::npos) return std::nullopt;
+    return std::pair{trimmed(line.substr(0, comma)), trimmed(second)};
+}
+
+std::optional<double> as_number(std::string_view text)
+{
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    if (!std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+/// Metres in the unit of the header's first column; none if it is no such header.
+std::optional<double> metres_in_header(std::string_view line)
+{
+    const auto fields = split_in_two(line);
+    if (!fields || fields->second != "lambda") return std::nullopt;
+    for (const auto& [name, metres] : {std::pair{"s_m", 1.0}, std::pair{"s_cm", 1e-2},
+                                       std::pair{"s_mm", 1e-3}, std::pair{"s_um", 1e-6}}) {
+        if (fields->first == name) return metres;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<SpacingPoint> read_spacing_table(const std::filesystem::path& path)
+{
+    std::ifstream file(path);
+    if (!file) throw IoError(fmt::format("{} cannot be read", path.string()));
+    const auto refuse = [&](int line, const std::string& finding) {
+        return InputError(fmt::format("{}:{}: {}", path.string(), line, finding));
+    };
+
+    std::string line;
+    std::getline(file, line);
+    const std::optional<double> metres = metres_in_header(line);
+    if (!metres) {
+        throw refuse(1, fmt::format("\"{}\" is not the header of a spacing table; expected is {}",
+                                    trimmed(line), header_form));
+    }
+    std::vector<SpacingPoint> table;
+    int number = 1, blank_line = 0;
+    while (std::getline(file, line)) {
+        ++number;
+        if (trimmed(line).empty()) {
+            blank_line = number;
+            continue;
+        }
+        if (blank_line > 0) throw refuse(blank_line, "is empty; a point of the table is expected");
+        const auto fields = split_in_two(line);
+        const auto arc_length = fields ? as_number(fields->first) : std::nullopt;
+        const auto spacing = fields ? as_number(fields->second) : std::nullopt;
+        if (!arc_length || !spacing) {
+            throw refuse(number, fmt::format("\"{}\" is not a point of the table; expected are two "
+                                             "numbers with a comma between",
+                                             trimmed(line)));
+        }
+        table.push_back({*metres * *arc_length, *spacing});
+        const std::size_t n = table.size();
+        if (n == 1) continue;
+        const bool increasing = table[1].arc_length > table[0].arc_length;
+        const double step = table[n - 1].arc_length - table[n - 2].arc_length;
+        if (!(increasing ? step > 0.0 : step < 0.0)) {
+            throw refuse(number,
+                         fmt::format("arc length {} follows {}; arc lengths must go one way",
+                                     *arc_length, table[n - 2].arc_length / *metres));
+        }
+    }
+    if (file.bad()) throw IoError(fmt::format("{} cannot be read to its end", path.string()));
+    if (table.size() < 2) {
+        throw refuse(number,
+                     fmt::format("the table has {} points; at least 2 are expected", table.size()));
+    }
+    if (table.front().arc_length > table.back().arc_length)
+        std::reverse(table.begin(), table.end());
+    try {
+        validate(ReleaseSchedule{.windows = {}, .table = table, .mode = ReleaseMode::nominal});
+    } catch (const ConfigError& error) {
+        throw InputError(fmt::format("{}: {}", path.string(), error.what()));
+    }
+    return table;
+}
+
+}  // namespace braidzone
