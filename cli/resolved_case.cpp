@@ -73,15 +73,38 @@ Json device_section(const FlowDiverter& device)
     return section;
 }
 
+Json place(const PlaceOnCenterline& value)
+{
+    if (const double* arc_length = std::get_if<double>(&value)) return length(*arc_length);
+    return point(std::get<Vec3>(value));
+}
+
+void add_schedule(Json& section, const ReleaseSchedule& schedule)
+{
+    Json windows = Json::array();
+    for (const PushPull& window : schedule.windows) {
+        windows.push_back({{"from", length(window.from)},
+                           {"to", length(window.to)},
+                           {"spacing", window.spacing}});
+    }
+    if (!windows.empty()) section["push_pull"] = windows;
+    section["release"] = name_of(schedule.mode);
+    if (!schedule.table_file.empty()) section["spacing_table"] = schedule.table_file.string();
+}
+
+Json second_device_section(const SecondDevice& second)
+{
+    Json section = device_section(second.device);
+    section["landing_distal"] = place(second.landing_distal);
+    add_schedule(section, second.schedule);
+    return section;
+}
+
 Json deployment_section(const Case& job)
 {
     const DeployOptions& options = job.deployment;
     Json section;
-    if (const double* arc_length = std::get_if<double>(&job.landing_distal)) {
-        section["landing_distal"] = length(*arc_length);
-    } else {
-        section["landing_distal"] = point(std::get<Vec3>(job.landing_distal));
-    }
+    section["landing_distal"] = place(job.landing_distal);
     section["lattice"] = name_of(options.lattice);
     section["axial"] = name_of(options.axial);
     section["release_order"] = name_of(options.release_order);
@@ -105,16 +128,9 @@ Json deployment_section(const Case& job)
     section["residual_tolerance"] = options.residual_tolerance;
     section["max_settling_steps"] = options.max_settling_steps;
     section["num_frames"] = options.num_frames;
-    Json windows = Json::array();
-    for (const PushPull& window : job.schedule.windows) {
-        windows.push_back({{"from", length(window.from)},
-                           {"to", length(window.to)},
-                           {"spacing", window.spacing}});
-    }
-    if (!windows.empty()) section["push_pull"] = windows;
-    section["release"] = name_of(job.schedule.mode);
-    if (!job.schedule.table_file.empty())
-        section["spacing_table"] = job.schedule.table_file.string();
+    if (job.neck)
+        section["neck"] = {{"from", length(job.neck->from)}, {"to", length(job.neck->to)}};
+    add_schedule(section, job.schedule);
     return section;
 }
 
@@ -179,17 +195,17 @@ void append_toml(std::string& text, const Json& table, const std::string& name)
 
 Json resolved_case(const Case& job)
 {
-    return {{"vessel", vessel_section(job.vessel)},
-            {"device", device_section(job.device)},
-            {"deployment", deployment_section(job)},
-            {"fluid",
-             {{"density", format_quantity(job.fluid.density, Dimension::density)},
-              {"viscosity", format_quantity(job.fluid.viscosity, Dimension::dynamic_viscosity)}}},
-            {"porous", porous_section(job)},
-            {"grid",
-             {{"spacing", length(job.deposit.spacing)},
-              {"kernel_half_width", job.deposit.kernel_half_width}}},
-            {"export", export_sections(job.exports)}};
+    Json all = {{"vessel", vessel_section(job.vessel)}, {"device", device_section(job.device)}};
+    if (job.second_device) all["second_device"] = second_device_section(*job.second_device);
+    all["deployment"] = deployment_section(job);
+    all["fluid"] = {
+        {"density", format_quantity(job.fluid.density, Dimension::density)},
+        {"viscosity", format_quantity(job.fluid.viscosity, Dimension::dynamic_viscosity)}};
+    all["porous"] = porous_section(job);
+    all["grid"] = {{"spacing", length(job.deposit.spacing)},
+                   {"kernel_half_width", job.deposit.kernel_half_width}};
+    all["export"] = export_sections(job.exports);
+    return all;
 }
 
 std::string resolved_case_text(const Case& job)

@@ -42,6 +42,13 @@ void write_case_copy(const Case& job, const fs::path& folder)
         copy.vessel.centerline = "centerline" + job.vessel.centerline->extension().string();
         copy_to(*job.vessel.centerline, folder / *copy.vessel.centerline);
     }
+    const auto copy_table = [&](ReleaseSchedule& schedule, const char* name) {
+        if (schedule.table_file.empty()) return;
+        copy_to(schedule.table_file, folder / name);
+        schedule.table_file = name;
+    };
+    copy_table(copy.schedule, "spacing.csv");
+    if (copy.second_device) copy_table(copy.second_device->schedule, "second_spacing.csv");
     const fs::path file = folder / "case.toml";
     std::ofstream text(file);
     text << "# The case that this folder was made from, with every value explicit.\n"

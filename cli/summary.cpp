@@ -161,6 +161,9 @@ Json input_files(const Case& job)
     add("case", job.file);
     add("vessel", job.vessel.surface);
     if (job.vessel.centerline) add("centerline", *job.vessel.centerline);
+    if (!job.schedule.table_file.empty()) add("spacing_table", job.schedule.table_file);
+    if (job.second_device && !job.second_device->schedule.table_file.empty())
+        add("second_spacing_table", job.second_device->schedule.table_file);
     return inputs;
 }
 

@@ -23,9 +23,10 @@ constexpr double contact_offset_ratio = 5e-4;
 /// Of an arm, in place of the wire's own 5e5 N/m: iterations to rest grow with it.
 constexpr double largest_axial_stiffness = 2e4;
 
-/// Of the wall's contact with a node [N/m]. A node bears up to 10 mN where a bend meets the distal
-/// end, which then sinks in by a tenth of a micrometre.
-constexpr double contact_stiffness = 1e5;
+/// Stiffness of a node's contact with the wall over that of its radial spring. A node of a Pipeline
+/// bears up to 10 mN where a bend meets the distal end, which then sinks in by a tenth of a
+/// micrometre.
+constexpr double contact_ratio = 8e4;
 
 /// Iterations converge or do not; they cost a thousand times as much as the steps of a braid whose
 /// nodes stay on their rays, so that many more would only delay the message.
@@ -138,7 +139,7 @@ Deployment deploy_wire_network(const FlowDiverter& device, const Centerline& cen
     NetworkRelease common{
         .friction = options.friction,
         .contact_offset = contact_offset_ratio * network.lattice.nominal_radius,
-        .contact_stiffness = contact_stiffness,
+        .contact_stiffness = contact_ratio * radial_stiffness(network.radial),
         .force_tolerance = options.residual_tolerance * radial_stiffness(network.radial) *
                            network.lattice.nominal_radius,
         .most_iterations = std::min(options.max_settling_steps, most_settling_iterations),

@@ -50,7 +50,7 @@ def table_3(file, results):
     """The four figures of Table 3 for the four scenarios: the paper's and each lattice's."""
     panels = [("implanted_length", "implanted length (mm)"),
               ("expansion", "radial expansion at the neck (mm)"),
-              ("density_increase", "density increase at the neck (%)"),
+              ("density_increase", "density increase, free side of the neck (%)"),
               ("contact_pressure", "contact pressure F/A0 (mmHg)")]
     figure, axes = plt.subplots(2, 2, figsize=(8.2, 5.6), constrained_layout=True)
     at = numpy.arange(len(SCENARIOS))
@@ -65,10 +65,8 @@ def table_3(file, results):
         box.set_xticks(at, [TITLES[n] for n in SCENARIOS])
         box.set_ylabel(title)
     axes[0, 1].set_ylim(1.5, 2.8)
-    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center"
-                  if hasattr(figure, "get_layout_engine") and matplotlib.__version__ >= "3.7"
-                  else "lower center", ncol=len(results) + 1, frameon=False,
-                  bbox_to_anchor=(0.5, -0.06))
+    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="lower center",
+                  ncol=len(results) + 1, frameon=False, bbox_to_anchor=(0.5, -0.06))
     save(figure, file)
 
 
@@ -128,7 +126,8 @@ def draw_wires(axes, view, surface):
 
 
 def scale_bar(axes, length=5):
-    x, y = axes.get_xlim()[0] + 1.0, axes.get_ylim()[0] + 0.6
+    axes.set_ylim(axes.get_ylim()[0] - 1.6, axes.get_ylim()[1])
+    x, y = axes.get_xlim()[0] + 1.0, axes.get_ylim()[0] + 0.3
     axes.plot([x, x + length], [y, y], color="black", lw=2)
     axes.text(x + 0.5 * length, y + 0.3, f"{length} mm", ha="center", va="bottom")
 
@@ -145,7 +144,7 @@ def figure_5(file, run, vessel):
         draw_far_wall(axes, view, triangles)
         draw_wires(axes, view, Surface(run.folder / frame))
         axes.set_title(letter, loc="left", fontweight="bold")
-    scale_bar(all_axes[0])
+        scale_bar(axes)
     save(figure, file)
 
 
@@ -153,7 +152,7 @@ def figure_7(file, shown, vessel):
     """Density increase on the device, without and with push."""
     triangles = read_stl(next(iter(shown.values()))[0].summary["case"]["vessel"]["surface"])
     view = View(triangles)
-    norm = Normalize(-50, 250)
+    norm = Normalize(-50, 350)
     names = ["4mm", "4mm_push"]
     figure, all_axes = plt.subplots(1, 2, figsize=(10, 4.6), constrained_layout=True)
     for axes, name in zip(all_axes, names):
@@ -161,7 +160,7 @@ def figure_7(file, shown, vessel):
         draw_far_wall(axes, view, triangles)
         draw_cells(axes, view, surface, 100 * surface.at_polygons["surface_density_increase"], norm)
         axes.set_title(TITLES[name])
-    scale_bar(all_axes[0])
+        scale_bar(axes)
     figure.colorbar(ScalarMappable(norm, COLOURS), ax=all_axes, shrink=0.7, extend="both",
                     label="density increase (%)")
     save(figure, file)
@@ -188,8 +187,8 @@ def figure_10(file, runs, vessels):
 
 # field, title, range; the range of the radial expansion is the device's own, as in the paper.
 MAPS = [("wall_contact", "wall contact", (0, 1)),
-        ("surface_density_increase", "density increase (%)", (-50, 250)),
-        ("contact_force", "contact force on a crossing (mN)", (0, 5)),
+        ("surface_density_increase", "density increase (%)", (-50, 350)),
+        ("contact_force", "contact force on a crossing (mN)", (0, 2)),
         ("radial_expansion", "radial expansion (mm)", None)]
 TO_SHOWN = {"wall_contact": 1, "surface_density_increase": 100, "contact_force": 1e3,
             "radial_expansion": 1e3}

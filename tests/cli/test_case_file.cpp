@@ -48,6 +48,16 @@ hoop_migration = true
 friction = 0.15
 wall_stiffness = "1e8 Pa/m"
 num_frames = 7
+neck = { from = "9 mm", to = "13 mm" }
+[second_device]
+name = "pipeline-flex"
+diameter = "4 mm"
+length = "16 mm"
+landing_distal = "17 mm"
+[[second_device.push_pull]]
+from = "9 mm"
+to = "11 mm"
+spacing = 0.8
 [[deployment.push_pull]]
 from = "8 mm"
 to = "14 mm"
@@ -125,6 +135,20 @@ TEST(CaseFile, GivesEveryValueInSi)
     EXPECT_DOUBLE_EQ(job.exports.openfoam->coarse_cell, 0.4e-3);
     EXPECT_EQ(job.exports.openfoam->surface_refinement, 2);
     EXPECT_EQ(job.exports.openfoam->device_refinement, 3);
+}
+
+TEST(CaseFile, ReadsANeckAndASecondDevice)
+{
+    const test::TemporaryFolder folder;
+    const Case job = read_case(folder.write("case.toml", everything));
+    ASSERT_TRUE(job.neck.has_value());
+    EXPECT_DOUBLE_EQ(job.neck->from, 9e-3);
+    EXPECT_DOUBLE_EQ(job.neck->to, 13e-3);
+    ASSERT_TRUE(job.second_device.has_value());
+    EXPECT_DOUBLE_EQ(job.second_device->device.nominal_length, 16e-3);
+    EXPECT_DOUBLE_EQ(std::get<double>(job.second_device->landing_distal), 17e-3);
+    ASSERT_EQ(job.second_device->schedule.windows.size(), 1U);
+    EXPECT_DOUBLE_EQ(job.second_device->schedule.windows[0].spacing, 0.8);
 }
 
 TEST(CaseFile, TakesEndsOfAComputedCenterline)

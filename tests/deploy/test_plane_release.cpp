@@ -20,6 +20,7 @@ FlowDiverter coarse_device()
     FlowDiverter device = test::pipeline_4x20();
     device.num_wires = 24;
     device.nominal_length = 5e-3;
+    device.youngs_modulus = 200e9;
     return device;
 }
 
