@@ -59,9 +59,7 @@ public:
           centerline_(centerline),
           radius_(landing.catheter_radius),
           arc_length_(index(lattice_.num_rings), landing.distal),
-          relaxation_(network,
-                      {std::vector<Vec3>(index(lattice_.num_nodes()), Vec3::Zero()),
-                       std::vector<Vec3>(index(lattice_.num_rings), Vec3::UnitZ()), 0},
+          relaxation_(network, {std::vector<Vec3>(index(lattice_.num_nodes()), Vec3::Zero()), 0},
                       {.offset = release.contact_offset,
                        .normal_stiffness = release.contact_stiffness,
                        .tangential_stiffness = release.contact_stiffness,
@@ -107,7 +105,6 @@ private:
 
     void set_section(int ring, const CrossSection& section)
     {
-        relaxation_.shape().tangents[index(ring)] = section.tangent;
         relaxation_.guides()[index(ring)].section = section;
     }
 

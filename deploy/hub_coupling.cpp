@@ -10,11 +10,6 @@ namespace {
 
 using Eigen::Matrix3d;
 
-Matrix3d across(const Vec3& tangent)
-{
-    return Matrix3d::Identity() - tangent * tangent.transpose();
-}
-
 /// The second derivative A_c of each node's radial spring by its place relative to the hub.
 std::vector<Matrix3d> radial_derivatives(const WireNetwork& network, const NetworkShape& shape,
                                          int ring)
@@ -24,11 +19,10 @@ std::vector<Matrix3d> radial_derivatives(const WireNetwork& network, const Netwo
     Vec3 hub = Vec3::Zero();
     for (auto node = first; node != first + n; ++node)
         hub += *node / n;
-    const Matrix3d plane = across(shape.tangents[static_cast<std::size_t>(ring)]);
     const double share = network.lattice.area_share(ring);
     std::vector<Matrix3d> derivatives;
     for (auto node = first; node != first + n; ++node) {
-        const Vec3 outward = plane * (*node - hub);
+        const Vec3 outward = *node - hub;
         const double stiffness =
             share * std::max(0.0, radial_stiffness_at(network.radial, outward.norm()));
         derivatives.emplace_back(stiffness / outward.squaredNorm() * outward * outward.transpose());
@@ -50,9 +44,8 @@ void add_hub_coupling(const WireNetwork& network, const NetworkShape& shape, Rin
         Matrix3d own = Matrix3d::Zero();
         for (const Matrix3d& derivative : derivatives)
             own += derivative / (n * n);
-        const Matrix3d plane = across(shape.tangents[static_cast<std::size_t>(ring)]);
         const bool bends = ring > 0 && ring + 1 < shape.num_rings;
-        if (bends) own += of_hub * (4.0 - natural) * plane;
+        if (bends) own += of_hub * (4.0 - natural) * Matrix3d::Identity();
         for (int c = 0; c < n; ++c) {
             for (int d = c; d < n; ++d) {
                 const Matrix3d both = derivatives[static_cast<std::size_t>(c)] +
@@ -66,7 +59,7 @@ void add_hub_coupling(const WireNetwork& network, const NetworkShape& shape, Rin
             const int other = (neighbour - active.first) * n;
             for (int c = 0; c < n; ++c) {
                 for (int d = 0; d < n; ++d)
-                    hessian.add(begin + c, other + d, -of_hub * plane);
+                    hessian.add(begin + c, other + d, -of_hub * Matrix3d::Identity());
             }
         }
     }

@@ -18,7 +18,7 @@ namespace braidzone {
 /// and for the bending of the wires, with g = 2 (1 - cos(pi / n)), between two nodes of a ring and
 /// between nodes of neighbouring rings:
 ///
-///     2 k_b g (4 - g) / n P        and        - 2 k_b g / n P
+///     2 k_b g (4 - g) / n          and        - 2 k_b g / n
 void add_hub_coupling(const WireNetwork& network, const NetworkShape& shape, RingRange active,
                       RingBandMatrix& hessian);
 

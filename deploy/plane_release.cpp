@@ -18,8 +18,6 @@ NetworkRelaxation crimped_network(const WireNetwork& network, const CrimpedBraid
     NetworkShape shape;
     for (int node = 0; node < crimped.lattice.num_nodes(); ++node)
         shape.nodes.push_back(on_ray(crimped, node, crimped.radius));
-    for (const CrossSection& ring : crimped.rings)
-        shape.tangents.push_back(ring.tangent);
     shape.num_rings = crimped.lattice.num_rings;
 
     NetworkRelaxation relaxation(

@@ -89,7 +89,6 @@ NetworkShape resting_shape(const BraidLattice& lattice, double height)
 {
     NetworkShape shape;
     shape.num_rings = lattice.num_rings;
-    shape.tangents.assign(index(lattice.num_rings), Vec3::UnitX());
     // A node of the middle ring looks straight up, where the head comes down.
     const int middle = lattice.num_rings / 2;
     const double turn = -lattice.angle(middle, 0);
@@ -142,7 +141,6 @@ public:
             if (0.5 * load_step < smallest) throw_not_at_rest();
             displacement_ = before;
             relaxation_.shape().nodes = nodes;
-            update_tangents();
             load_step *= 0.5;
         }
         check_sides_apart();
@@ -216,13 +214,10 @@ private:
     }
 
     /// The axis of a ring leads from the hub of the ring before to that of the ring after it.
-    void update_tangents()
+    Vec3 axis(int ring) const
     {
         const int last = network_.lattice.num_rings - 1;
-        for (int ring = 0; ring <= last; ++ring) {
-            relaxation_.shape().tangents[index(ring)] =
-                (hub(std::min(ring + 1, last)) - hub(std::max(ring - 1, 0))).normalized();
-        }
+        return (hub(std::min(ring + 1, last)) - hub(std::max(ring - 1, 0))).normalized();
     }
 
     /// @return false if the device does not come to rest
@@ -237,7 +232,6 @@ private:
                 relaxation_.settle_contacts(all);
                 return true;
             }
-            update_tangents();
         }
         return false;
     }
@@ -285,7 +279,7 @@ private:
         const int half = lattice.nodes_per_ring / 2;
         const NetworkShape rest = resting_shape(lattice, 0.0);
         for (int ring = 0; ring < lattice.num_rings; ++ring) {
-            const Vec3 up = relaxation_.shape().tangents[index(ring)].cross(Vec3::UnitY());
+            const Vec3 up = axis(ring).cross(Vec3::UnitY());
             for (int column = 0; column < half; ++column) {
                 const std::size_t one = index(lattice.node(ring, column));
                 const std::size_t other = index(lattice.node(ring, column + half));

@@ -67,7 +67,7 @@ PressNetwork press_network(const FlowDiverter& device, const PressOptions& optio
 /// stationary states after each step of the head, the first at 0.
 ///
 /// Quasi-static (`network_relaxation.hpp`). At 0 the device has its force-free shape and touches
-/// both block and head. The axis of each ring follows the bending of the device. Without friction
+/// both block and head. Without friction
 /// the device is held along x by its middle ring only. Opposite sides of the device do not touch
 /// each other.
 /// @param on_state  called after each state, e.g. to show progress; may be empty

@@ -18,11 +18,6 @@ std::size_t index(int i)
     return static_cast<std::size_t>(i);
 }
 
-Matrix3d across(const Vec3& tangent)
-{
-    return Matrix3d::Identity() - tangent * tangent.transpose();
-}
-
 Vec3 hub_of(const BraidLattice& lattice, const NetworkShape& shape, int ring)
 {
     Vec3 sum = Vec3::Zero();
@@ -85,15 +80,12 @@ void for_each_bend(const BraidLattice& lattice, const NetworkShape& shape, RingR
     const double natural = natural_bend(lattice);
     for (int ring = rings.first; ring < rings.end; ++ring) {
         const Vec3 hub = hub_of(lattice, shape, ring);
-        const Vec3& tangent = shape.tangents[index(ring)];
         for (int column = 0; column < lattice.nodes_per_ring; ++column) {
             for (int step : column_steps) {
                 const Bend bend = bend_at(lattice, ring, column, step);
                 const Vec3& middle = shape.nodes[index(bend.middle)];
-                Vec3 outward = middle - hub;
-                outward -= tangent.dot(outward) * tangent;
                 const Vec3 deviation = shape.nodes[index(bend.before)] - 2.0 * middle +
-                                       shape.nodes[index(bend.after)] + natural * outward;
+                                       shape.nodes[index(bend.after)] + natural * (middle - hub);
                 function(ring, bend, deviation);
             }
         }
@@ -120,8 +112,7 @@ double network_energy(const WireNetwork& network, const NetworkShape& shape, Rin
         const RadialSpring spring = spring_of_ring(network, ring);
         const double share = lattice.area_share(ring);
         for (int column = 0; column < lattice.nodes_per_ring; ++column) {
-            const Vec3 outward = across(shape.tangents[index(ring)]) *
-                                 (shape.nodes[index(lattice.node(ring, column))] - hub);
+            const Vec3 outward = shape.nodes[index(lattice.node(ring, column))] - hub;
             energy += share * radial_energy(spring, outward.norm());
         }
     }
@@ -151,8 +142,7 @@ std::vector<Vec3> network_gradient(const WireNetwork& network, const NetworkShap
     for_each_bend(lattice, shape, bend_rings(shape, active),
                   [&](int ring, const Bend& bend, const Vec3& deviation) {
                       const Vec3 force = network.bending_stiffness * deviation;
-                      const Vec3& tangent = shape.tangents[index(ring)];
-                      const Vec3 of_radius = natural * (force - tangent.dot(force) * tangent);
+                      const Vec3 of_radius = natural * force;
                       add(bend.before, force);
                       add(bend.after, force);
                       add(bend.middle, of_radius - 2.0 * force);
@@ -161,11 +151,10 @@ std::vector<Vec3> network_gradient(const WireNetwork& network, const NetworkShap
 
     for (int ring = active.first; ring < active.end; ++ring) {
         const Vec3 hub = hub_of(lattice, shape, ring);
-        const Matrix3d plane = across(shape.tangents[index(ring)]);
         const RadialSpring spring = spring_of_ring(network, ring);
         const double share = lattice.area_share(ring);
         for (int column = 0; column < n; ++column) {
-            const Vec3 outward = plane * (shape.nodes[index(ring * n + column)] - hub);
+            const Vec3 outward = shape.nodes[index(ring * n + column)] - hub;
             const double radius = outward.norm();
             if (!(radius > 0.0)) continue;
             const Vec3 part = -share * radial_force(spring, radius) / radius * outward;
@@ -203,20 +192,18 @@ void add_network_hessian(const WireNetwork& network, const NetworkShape& shape, 
     });
 
     const double natural = natural_bend(lattice);
+    const Matrix3d outer = network.bending_stiffness * Matrix3d::Identity();
+    const Matrix3d coupling = (natural - 2.0) * outer;
+    const Matrix3d middle = (natural - 2.0) * coupling;
     const RingRange bends = bend_rings(shape, active);
     for (int ring = bends.first; ring < bends.end; ++ring) {
-        const Matrix3d identity = network.bending_stiffness * Matrix3d::Identity();
-        const Matrix3d middle =
-            natural * across(shape.tangents[index(ring)]) - 2.0 * Matrix3d::Identity();
-        const Matrix3d coupling = network.bending_stiffness * middle;
-        const Matrix3d square = network.bending_stiffness * middle * middle;
         for (int column = 0; column < n; ++column) {
             for (int step : column_steps) {
                 const Bend bend = bend_at(lattice, ring, column, step);
-                add(bend.before, bend.before, identity);
-                add(bend.after, bend.after, identity);
-                add(bend.middle, bend.middle, square);
-                add(bend.before, bend.after, identity);
+                add(bend.before, bend.before, outer);
+                add(bend.after, bend.after, outer);
+                add(bend.middle, bend.middle, middle);
+                add(bend.before, bend.after, outer);
                 add(bend.before, bend.middle, coupling);
                 add(bend.after, bend.middle, coupling);
             }
@@ -225,12 +212,11 @@ void add_network_hessian(const WireNetwork& network, const NetworkShape& shape, 
 
     for (int ring = active.first; ring < active.end; ++ring) {
         const Vec3 hub = hub_of(lattice, shape, ring);
-        const Matrix3d plane = across(shape.tangents[index(ring)]);
         const RadialSpring spring = spring_of_ring(network, ring);
         const double share = lattice.area_share(ring);
         for (int column = 0; column < n; ++column) {
             const int node = ring * n + column;
-            const Vec3 outward = plane * (shape.nodes[index(node)] - hub);
+            const Vec3 outward = shape.nodes[index(node)] - hub;
             const double radius = outward.norm();
             const double stiffness = share * std::max(0.0, radial_stiffness_at(spring, radius));
             add(node, node, stiffness / (radius * radius) * outward * outward.transpose());

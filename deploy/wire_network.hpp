@@ -13,15 +13,15 @@ namespace braidzone {
 ///
 ///     E = sum over arms of k_a (l - l0)^2 / 2
 ///       + sum over wires, over three crossings in a row, of
-///             k_b | x- - 2 x + x+  +  2 (1 - cos(pi / n)) P (x - h) |^2 / 2
-///       + sum over nodes of q e(r),   r = | P (x - h) |
+///             k_b | x- - 2 x + x+  +  2 (1 - cos(pi / n)) (x - h) |^2 / 2
+///       + sum over nodes of q e(r),   r = | x - h |
 ///
-/// h is the hub of the node's ring, the mean of its nodes, and P the projection on the plane across
-/// the vessel there. The second term is the bending of the wires: it vanishes for the helices of a
-/// uniform tube of any radius and spacing, whose second difference points to the axis. What such
-/// helices do to the wires, bending and torsion against their natural shape, is the energy e of the
-/// radial spring. So a straight tube feels exactly the radial spring, and everything that is not a
-/// straight tube the stiffness of the wires.
+/// h is the hub of the node's ring, the mean of its nodes. The second term is the bending of the
+/// wires: it vanishes for the helices of a uniform tube of any radius and spacing, whose second
+/// difference points to the axis. What such helices do to the wires, bending and torsion against
+/// their natural shape, is the energy e of the radial spring. So a straight tube feels exactly the
+/// radial spring, and everything that is not a straight tube the stiffness of the wires. No
+/// direction enters but those of the nodes: the energy is the same however the device lies.
 struct WireNetwork {
     BraidLattice lattice;
     double axial_stiffness = 0.0;    ///< k_a, of an arm [N/m]
@@ -36,18 +36,17 @@ struct RingRange {
     int size() const { return end - first; }
 };
 
-/// Shape of a network: its nodes, and the direction of the vessel at each ring.
+/// Shape of a network.
 struct NetworkShape {
-    std::vector<Vec3> nodes;     ///< |N| x 3 [m]
-    std::vector<Vec3> tangents;  ///< one for each ring, unit
-    int num_rings = 0;           ///< that exist: the nodes of further rings count for nothing
+    std::vector<Vec3> nodes;  ///< |N| x 3 [m]
+    int num_rings = 0;        ///< that exist: the nodes of further rings count for nothing
 };
 
 /// Energy of all terms that depend on the nodes of the stretch [J].
 double network_energy(const WireNetwork& network, const NetworkShape& shape, RingRange active);
 
-/// Gradient of the energy with respect to the nodes of the stretch [N], tangents held fixed:
-/// minus the force on them. One vector for each node of the stretch.
+/// Gradient of the energy with respect to the nodes of the stretch [N]: minus the force on them.
+/// One vector for each node of the stretch.
 std::vector<Vec3> network_gradient(const WireNetwork& network, const NetworkShape& shape,
                                    RingRange active);
 

@@ -30,7 +30,6 @@ NetworkShape on_cylinder(const BraidLattice& lattice, double radius, double spac
     NetworkShape shape;
     shape.num_rings = lattice.num_rings;
     for (int ring = 0; ring < lattice.num_rings; ++ring) {
-        shape.tangents.push_back(Vec3::UnitZ());
         for (int column = 0; column < lattice.nodes_per_ring; ++column) {
             const double angle = lattice.angle(ring, column);
             shape.nodes.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
