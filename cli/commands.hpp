@@ -46,6 +46,10 @@ void write_centerline_of(const CenterlineCommand& command, const CommonOptions& 
 /// `output`: the folder; default: that of the parameter file.
 void write_phantom(const std::filesystem::path& parameters, const CommonOptions& options);
 
+/// press: simulates the V-notch press test of a device; writes force against displacement.
+/// `output`: the file; default `<press file name>.force.csv` beside it.
+void press_device(const std::filesystem::path& press_file, const CommonOptions& options);
+
 /// devices: lists the device library, or shows one device with the sources of its values.
 void show_devices(const std::string& name);
 

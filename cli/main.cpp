@@ -126,6 +126,15 @@ void add_vessel_verbs(CLI::App& app, Arguments& arguments)
     });
 }
 
+void add_press_verb(CLI::App& app, Arguments& arguments)
+{
+    CLI::App& verb = add_case_verb(
+        app, arguments, "press", "simulate the V-notch press test: force against displacement",
+        [&arguments] { press_device(arguments.case_file, arguments.common); });
+    add_output_options(verb, arguments.common,
+                       "file (default: CASE.force.csv beside the press file)");
+}
+
 void add_devices_verb(CLI::App& app, Arguments& arguments)
 {
     CLI::App& devices = *app.add_subcommand("devices", "list the device library, or show a device");
@@ -144,6 +153,7 @@ int run(int argc, char** argv)
     Arguments arguments;
     add_run_verbs(app, arguments);
     add_vessel_verbs(app, arguments);
+    add_press_verb(app, arguments);
     add_devices_verb(app, arguments);
     try {
         app.parse(argc, argv);

@@ -46,6 +46,19 @@ def figure_2(file, points):
     save(figure, file)
 
 
+def figure_4(file, curves):
+    """Force of the presser head against its displacement."""
+    figure, axes = plt.subplots(figsize=(5.6, 3.8))
+    for (nominal, forces), points in curves.items():
+        axes.plot(*zip(*points), "o-" if forces == "wire-theory" else "s--", ms=4,
+                  color=COLOURS(0.2 if nominal == 4 else 0.7), label=f"{nominal} mm, {forces}")
+    axes.set(xlabel="displacement of the head (mm)", ylabel="force (mN)", xlim=(0, None),
+             ylim=(0, None))
+    axes.legend(frameon=False)
+    axes.grid(alpha=0.25)
+    save(figure, file)
+
+
 def table_3(file, results):
     """The four figures of Table 3 for the four scenarios: the paper's and each lattice's."""
     panels = [("implanted_length", "implanted length (mm)"),

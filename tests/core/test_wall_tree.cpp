@@ -301,5 +301,52 @@ TEST(WallTree, CanBeMoved)
     EXPECT_TRUE(second.contains(Vec3(0.5e-3, 0.5e-3, 2e-3)));
 }
 
+/// The channel with a plate across half of it at y = 0.6 mm, z from 1 to 3 mm, that faces +y.
+WallTree lined_channel()
+{
+    TriangleMesh plate;
+    plate.points = {Vec3(0, 0.6e-3, 1e-3), Vec3(0, 0.6e-3, 3e-3), Vec3(1e-3, 0.6e-3, 3e-3),
+                    Vec3(1e-3, 0.6e-3, 1e-3)};
+    plate.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return WallTree(square_channel(), plate);
+}
+
+TEST(Lining, StopsLikeTheWallWithTrianglesNumberedAfterIt)
+{
+    const WallTree wall = lined_channel();
+    const int num_wall_triangles = static_cast<int>(square_channel().wall.triangles.size());
+    const auto hit = wall.first_hit(Vec3(0.3e-3, 0.2e-3, 2.5e-3), Vec3(0.3e-3, 1.2e-3, 2.5e-3));
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(hit->fraction, 0.4, 1e-12);
+    EXPECT_EQ(hit->triangle, num_wall_triangles);  // z - 1 mm above 2 x: the first of the two
+    EXPECT_LT((hit->normal - Vec3::UnitY()).norm(), 1e-15);
+    // Beyond the plate's end the wall itself stops the segment.
+    const auto beyond = wall.first_hit(Vec3(0.3e-3, 0.2e-3, 3.5e-3), Vec3(0.3e-3, 1.2e-3, 3.5e-3));
+    ASSERT_TRUE(beyond);
+    EXPECT_NEAR(beyond->fraction, 0.8, 1e-12);
+    EXPECT_LT(beyond->triangle, num_wall_triangles);
+}
+
+TEST(Lining, CarriesLikeTheWall)
+{
+    const WallTree wall = lined_channel();
+    const int num_wall_triangles = static_cast<int>(square_channel().wall.triangles.size());
+    const WallPoint nearest = wall.nearest(Vec3(0.5e-3, 0.5e-3, 2.8e-3));
+    EXPECT_NEAR(nearest.distance, 0.1e-3, 1e-15);
+    EXPECT_GE(nearest.triangle, num_wall_triangles);
+    EXPECT_LT((nearest.normal - Vec3::UnitY()).norm(), 1e-15);
+    const std::vector<WallPoint> within = wall.within(Vec3(0.5e-3, 0.5e-3, 2.8e-3), 0.15e-3);
+    ASSERT_EQ(within.size(), 1U);
+    EXPECT_EQ(within[0].triangle, nearest.triangle);
+}
+
+TEST(Lining, IsNoBoundaryOfTheLumen)
+{
+    const WallTree wall = lined_channel();
+    EXPECT_TRUE(wall.contains(Vec3(0.3e-3, 0.3e-3, 2e-3)));
+    EXPECT_TRUE(wall.contains(Vec3(0.3e-3, 0.8e-3, 2e-3)));
+    EXPECT_FALSE(wall.contains(Vec3(0.3e-3, 1.1e-3, 2e-3)));
+}
+
 }  // namespace
 }  // namespace braidzone

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -164,6 +165,74 @@ TEST(Measure, WeighsByAreaAndSeparatesTheNeck)
     EXPECT_NEAR(measures.mean_density_increase_neck.value(), 1.0, 1e-12);
     EXPECT_NEAR(measures.mean_density_increase_neck_rings.value(), 0.75, 1e-12);
     EXPECT_NEAR(measures.mean_pore_density_neck.value(), 1.0 / 3e-6, 1e-6);
+}
+
+// A sheet of two cells (six points) before one of one cell (four): its corners count from 6.
+TEST(Joined, HoldsBothSurfacesOneAfterTheOther)
+{
+    const BraidSurface first =
+        test::flat_braid(Vec3::Zero(), Vec3(1e-3, 0, 0), 2, Vec3(0, 1e-3, 0), 1, 30e-6);
+    const BraidSurface second =
+        test::flat_braid(Vec3(0, 0, 5e-3), Vec3(2e-3, 0, 0), 1, Vec3(0, 1e-3, 0), 1, 20e-6);
+    const BraidSurface both = joined(first, second);
+    ASSERT_EQ(both.points.size(), 10U);
+    ASSERT_EQ(both.corners.size(), 3U);
+    EXPECT_EQ(both.corners[1], (std::array<int, 4>{1, 2, 5, 4}));
+    EXPECT_EQ(both.corners[2], (std::array<int, 4>{6, 7, 9, 8}));
+    EXPECT_EQ(both.points[7], Vec3(2e-3, 0, 5e-3));
+    EXPECT_EQ(both.wire_diameter, (std::vector<double>{30e-6, 30e-6, 20e-6}));
+    EXPECT_LT((both.centres[2] - Vec3(1e-3, 0.5e-3, 5e-3)).norm(), 1e-15);
+    for (const std::size_t count :
+         {both.rhombi.size(), both.normals.size(), both.density_increase.size(),
+          both.contact_pressure.size(), both.wall_distance.size(), both.wire_length.size()}) {
+        EXPECT_EQ(count, 3U);
+    }
+    // 7 sides of 1 mm, and 2 x 2 + 2 x 1 mm; areas 2 + 2 mm^2.
+    const BraidMeasures measures = measure(both);
+    EXPECT_NEAR(measures.wire_length, 13e-3, 1e-15);
+    EXPECT_NEAR(measures.device_area, 4e-6, 1e-18);
+    EXPECT_NEAR(measures.metal_volume, 0.25 * std::numbers::pi * (7e-3 * 900e-12 + 6e-3 * 400e-12),
+                1e-18);
+}
+
+// Three nodes of rhombus (10, 4): its corners (10, 4), (11, 3), (11, 4). No other rhombus has three
+// of them; the neck's rings 10 and 11 are the middle ones of the rhombi of rings 9 and 10.
+TEST(NeckParts, AreOverTheNeckWithThreeCornersAndOppositeInItsRings)
+{
+    const Deployment deployment = force_free(test::pipeline_4x20());
+    const BraidLattice& lattice = deployment.lattice;
+    WallOpening neck;
+    neck.nodes = {lattice.node(10, 4), lattice.node(11, 3), lattice.node(11, 4)};
+    neck.distal_ring = 10;
+    neck.proximal_ring = 11;
+    const std::vector<NeckPart> parts = neck_parts(deployment, {neck});
+    ASSERT_EQ(parts.size(), static_cast<std::size_t>(lattice.num_rhombi()));
+    for (int ring = 0; ring + 2 < lattice.num_rings; ++ring) {
+        for (int column = 0; column < lattice.nodes_per_ring; ++column) {
+            const NeckPart expected = ring == 10 && column == 4 ? NeckPart::over
+                                      : ring == 9 || ring == 10 ? NeckPart::opposite
+                                                                : NeckPart::none;
+            EXPECT_EQ(parts[static_cast<std::size_t>(lattice.node(ring, column))], expected)
+                << "ring " << ring << ", column " << column;
+        }
+    }
+}
+
+TEST(NeckParts, ComeFromTheFirstOpeningAlone)
+{
+    const Deployment deployment = force_free(test::pipeline_4x20());
+    const BraidLattice& lattice = deployment.lattice;
+    WallOpening neck, branch;
+    neck.distal_ring = neck.proximal_ring = 20;
+    neck.nodes = {lattice.node(20, 0)};
+    branch.distal_ring = branch.proximal_ring = 60;
+    const auto corners = rhombus_corners(lattice, 59, 7);
+    branch.nodes.assign(corners.begin(), corners.end());
+    const std::vector<NeckPart> parts = neck_parts(deployment, {neck, branch});
+    EXPECT_EQ(parts[static_cast<std::size_t>(lattice.node(59, 7))], NeckPart::none);
+    EXPECT_EQ(parts[static_cast<std::size_t>(lattice.node(19, 7))], NeckPart::opposite);
+    const std::vector<NeckPart> without = neck_parts(deployment, {});
+    EXPECT_EQ(std::count(without.begin(), without.end(), NeckPart::none), lattice.num_rhombi());
 }
 
 }  // namespace

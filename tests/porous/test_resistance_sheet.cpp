@@ -88,5 +88,45 @@ TEST(MakeResistanceSheet, RefusesNegativeRatiosAndBadFluids)
     EXPECT_THROW(make_resistance_sheet(surface, law, Fluid{std::nan(""), 1e-3}), ConfigError);
 }
 
+// Two cells of one sheet and one of another with 20 um wires, half acting.
+TEST(Joined, HoldsBothSheetsOneAfterTheOther)
+{
+    const ResistanceSheet first = make_resistance_sheet(row_of_cells({1.0, 1.0}), law, fluid);
+    BraidSurface thin =
+        test::flat_braid(Vec3(0, 0, 1e-3), Vec3(0.3e-3, 0, 0), 1, Vec3(0, 0.1e-3, 0), 1, 20e-6);
+    thin.wall_distance = {40e-6};
+    const ResistanceSheet second = make_resistance_sheet(thin, ConstantLaw{{100.0, 50.0}}, fluid);
+    const ResistanceSheet both = joined(first, second);
+    ASSERT_EQ(both.losses.size(), 3U);
+    ASSERT_EQ(both.acting.size(), 3U);
+    EXPECT_EQ(both.losses[0].linear, 400.0);
+    EXPECT_EQ(both.losses[2].linear, 100.0);
+    EXPECT_NEAR(both.acting[2], 0.5, 1e-12);
+    EXPECT_EQ(both.fluid.viscosity, fluid.viscosity);
+    // 1e5 1/m over 2 x 0.04 mm^2, and 0.5 x 100 / 4e-3 over 0.03 mm^2.
+    EXPECT_NEAR(resistance_integral(both), 8e-3 + 0.375e-3, 1e-14);
+    EXPECT_DOUBLE_EQ(resistance_integral(both),
+                     resistance_integral(first) + resistance_integral(second));
+}
+
+TEST(Joined, RefusesSheetsOfDifferentFluidsOrTangentialRatios)
+{
+    const BraidSurface surface = row_of_cells({1.0});
+    const ResistanceSheet sheet = make_resistance_sheet(surface, law, fluid);
+    const std::vector<ResistanceSheet> others = {
+        make_resistance_sheet(surface, law, Fluid{1000.0, 3e-3}),
+        make_resistance_sheet(surface, law, Fluid{1050.0, 4e-3}),
+        make_resistance_sheet(surface, law, fluid, {.tangential_ratio = 2.0})};
+    for (const ResistanceSheet& other : others) {
+        try {
+            joined(sheet, other);
+            ADD_FAILURE() << "nothing was thrown";
+        } catch (const InputError& error) {
+            EXPECT_STREQ(error.what(),
+                         "two sheets with different fluids or tangential ratios cannot be joined");
+        }
+    }
+}
+
 }  // namespace
 }  // namespace braidzone

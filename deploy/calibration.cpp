@@ -1,0 +1,223 @@
+#include "deploy/calibration.hpp"
+
+#include "core/error.hpp"
+
+#include <Eigen/Dense>
+#include <boost/math/distributions/students_t.hpp>
+#include <ceres/ceres.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace braidzone {
+
+namespace {
+
+/// Largest force times this is the least standard error of a point, see `calibrate`.
+constexpr double smallest_relative_error = 0.01;
+
+/// Step in the logarithm of the ratio for its derivative: large against the press test's tolerance.
+constexpr double ratio_step = 0.02;
+
+/// States of the simulated press test over the stroke.
+constexpr int num_states = 20;
+
+/// Beyond this the two coefficients cannot be told apart: one of them may be twice or half of what
+/// it is.
+constexpr double undetermined_error = 0.35;
+
+/// Value of a curve at equal steps, between them by Catmull and Rom's cubic.
+double interpolated(const std::vector<double>& values, double step, double x)
+{
+    const int last = static_cast<int>(values.size()) - 1;
+    const int i = std::clamp(static_cast<int>(x / step), 0, last - 1);
+    const double t = x / step - i;
+    const auto at = [&](int k) {
+        if (k < 0) return 2.0 * values[0] - values[1];
+        if (k > last)
+            return 2.0 * values[static_cast<std::size_t>(last)] -
+                   values[static_cast<std::size_t>(last - 1)];
+        return values[static_cast<std::size_t>(k)];
+    };
+    const double a = at(i - 1), b = at(i), c = at(i + 1), d = at(i + 2);
+    return b +
+           0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
+}
+
+/// The simulated press test as a function of the ratio of the coefficients.
+class UnitPress {
+public:
+    UnitPress(const FlowDiverter& device, PressOptions options, const ForceCurve& measured)
+        : device_(device), options_(std::move(options)), measured_(measured)
+    {
+        device_.forces = ForceSource::springs;
+        options_.stroke = measured.points.back().displacement;
+        options_.step = options_.stroke / num_states;
+    }
+
+    /// G at the measured displacements, for c_surface = 1 N/m [m].
+    const std::vector<double>& curve(double log_ratio)
+    {
+        const auto known = curves_.find(log_ratio);
+        if (known != curves_.end()) return known->second;
+        device_.surface_coefficient = 1.0;
+        device_.radial_coefficient = std::exp(log_ratio);
+        std::vector<double> forces;
+        for (const PressState& state : press(press_network(device_, options_).network, options_))
+            forces.push_back(state.force);
+        std::vector<double> values;
+        for (const ForcePoint& point : measured_.points)
+            values.push_back(interpolated(forces, options_.step, point.displacement));
+        return curves_.emplace(log_ratio, values).first->second;
+    }
+
+private:
+    FlowDiverter device_;
+    PressOptions options_;
+    const ForceCurve& measured_;
+    std::map<double, std::vector<double>> curves_;
+};
+
+/// Residuals (F_measured - F) / s over (log c_surface, log ratio).
+class PressResiduals : public ceres::CostFunction {
+public:
+    PressResiduals(UnitPress& press, const ForceCurve& measured, double standard_error)
+        : press_(press), measured_(measured), standard_error_(standard_error)
+    {
+        set_num_residuals(static_cast<int>(measured.points.size()));
+        mutable_parameter_block_sizes()->push_back(2);
+    }
+
+    bool Evaluate(double const* const* parameters, double* residuals,
+                  double** jacobians) const override
+    {
+        const double surface = std::exp(parameters[0][0]), log_ratio = parameters[0][1];
+        const std::vector<double> here = press_.curve(log_ratio);
+        const bool wants_slope = jacobians != nullptr && jacobians[0] != nullptr;
+        std::vector<double> above, below;
+        if (wants_slope) {
+            above = press_.curve(log_ratio + ratio_step);
+            below = press_.curve(log_ratio - ratio_step);
+        }
+        for (std::size_t i = 0; i < here.size(); ++i) {
+            residuals[i] = (measured_.points[i].force - surface * here[i]) / standard_error_;
+            if (!wants_slope) continue;
+            jacobians[0][2 * i] = -surface * here[i] / standard_error_;
+            jacobians[0][2 * i + 1] =
+                -surface * (above[i] - below[i]) / (2.0 * ratio_step) / standard_error_;
+        }
+        return true;
+    }
+
+private:
+    UnitPress& press_;
+    const ForceCurve& measured_;
+    double standard_error_;
+};
+
+Estimate estimate(double log_value, double log_error, double t)
+{
+    return {std::exp(log_value), log_error, std::exp(log_value - t * log_error),
+            std::exp(log_value + t * log_error)};
+}
+
+std::string statement_on(const Calibration& fit)
+{
+    const auto known = [](const Estimate& e) { return e.relative_error < undetermined_error; };
+    std::string text;
+    if (known(fit.surface) && known(fit.radial)) {
+        text = "The curve determines both coefficients.";
+    } else if (known(fit.surface)) {
+        text = "The curve determines c_surface; c_radial hardly matters to it.";
+    } else if (known(fit.radial)) {
+        text = "The curve determines c_radial; c_surface hardly matters to it.";
+    } else {
+        text = fmt::format(
+            "The curve determines a combination of the two coefficients only (correlation {:.2f}); "
+            "a longer stroke, which crushes the device after bending it, would tell them apart.",
+            fit.correlation);
+    }
+    if (fit.reduced_chi_square > 4.0) {
+        text += fmt::format(
+            " The model misses the curve by {:.2g} times its error: notch, head or device are not "
+            "as stated, or the coefficients stand for more than they can.",
+            std::sqrt(fit.reduced_chi_square));
+    }
+    return text;
+}
+
+}  // namespace
+
+Calibration calibrate(const FlowDiverter& device, const PressOptions& options,
+                      const ForceCurve& measured)
+{
+    if (!(device.surface_coefficient > 0.0 && device.radial_coefficient > 0.0 &&
+          device.reference_node_area > 0.0)) {
+        throw InputError(
+            "calibration begins with the device's spring coefficients; give "
+            "device.surface_coefficient, radial_coefficient and reference_node_area");
+    }
+    double largest = 0.0;
+    for (const ForcePoint& point : measured.points)
+        largest = std::max(largest, point.force);
+    const double standard_error = std::max(smallest_relative_error * largest,
+                                           measured.deviation / std::sqrt(measured.num_repeats));
+
+    UnitPress unit_press(device, options, measured);
+    const double first_ratio = std::log(device.radial_coefficient / device.surface_coefficient);
+    // The factor that fits best at the first ratio, in closed form.
+    double products = 0.0, squares = 0.0;
+    const std::vector<double> first = unit_press.curve(first_ratio);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        products += first[i] * measured.points[i].force;
+        squares += first[i] * first[i];
+    }
+    if (!(products > 0.0)) throw InputError("the measured curve has no force in it");
+
+    Eigen::Vector2d x(std::log(products / squares), first_ratio);
+    ceres::Problem problem;
+    problem.AddResidualBlock(new PressResiduals(unit_press, measured, standard_error), nullptr,
+                             x.data());
+    ceres::Solver::Options solver;
+    solver.linear_solver_type = ceres::DENSE_QR;
+    solver.logging_type = ceres::SILENT;
+    solver.max_num_iterations = 30;
+    solver.function_tolerance = 1e-5;
+    solver.parameter_tolerance = 1e-4;
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver, &problem, &summary);
+    if (summary.termination_type != ceres::CONVERGENCE) {
+        throw ConvergenceError(fmt::format(
+            "the fit of the spring coefficients did not converge: {}", summary.message));
+    }
+
+    const int num_points = static_cast<int>(measured.points.size());
+    Eigen::VectorXd residuals(num_points);
+    Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> jacobian(num_points, 2);
+    const double* parameters[] = {x.data()};
+    double* jacobians[] = {jacobian.data()};
+    PressResiduals(unit_press, measured, standard_error)
+        .Evaluate(parameters, residuals.data(), jacobians);
+    const int freedom = num_points - 2;
+    Calibration fit;
+    fit.reduced_chi_square = residuals.squaredNorm() / freedom;
+    const Eigen::Matrix2d covariance =
+        (jacobian.transpose() * jacobian).inverse() * std::max(1.0, fit.reduced_chi_square);
+    // log c_radial = log c_surface + log ratio
+    const double surface_variance = covariance(0, 0);
+    const double radial_variance = covariance(0, 0) + 2.0 * covariance(0, 1) + covariance(1, 1);
+    const double t =
+        boost::math::quantile(boost::math::students_t(static_cast<double>(freedom)), 0.975);
+    fit.surface = estimate(x[0], std::sqrt(surface_variance), t);
+    fit.radial = estimate(x[0] + x[1], std::sqrt(radial_variance), t);
+    fit.correlation =
+        (covariance(0, 0) + covariance(0, 1)) / std::sqrt(surface_variance * radial_variance);
+    for (double value : unit_press.curve(x[1]))
+        fit.fitted_force.push_back(fit.surface.value * value);
+    fit.statement = statement_on(fit);
+    return fit;
+}
+
+}  // namespace braidzone
