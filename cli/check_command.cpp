@@ -39,17 +39,36 @@ void print_centerline(const Case& job, const Centerline& centerline, const Vesse
         2e3 * thinnest->inscribed_radius, 2e3 * widest->inscribed_radius);
 }
 
-void print_device(const Case& job, const Deployment& deployment)
+void print_device(const char* label, const FlowDiverter& device,
+                  const std::vector<std::string>& notes)
 {
-    const FlowDiverter& device = job.device;
-    fmt::print("device      {} {:.4g} x {:.4g} mm\n", device.name, 1e3 * device.nominal_diameter,
+    fmt::print("{:<11} {} {:.4g} x {:.4g} mm\n", label, device.name, 1e3 * device.nominal_diameter,
                1e3 * device.nominal_length);
     fmt::print("  {} wires of {:.4g} um, braid ratio {:.4g}, catheter {:.4g} mm\n",
                device.num_wires, 1e6 * device.wire_diameter, device.braid_ratio,
                1e3 * device.catheter_diameter);
-    for (const std::string& note : job.device_notes)
+    fmt::print("  forces from {}\n", force_origin(device));
+    for (const std::string& note : notes)
         fmt::print("  note: {}\n", note);
+}
 
+void print_release(const ReleaseSchedule& schedule)
+{
+    if (!schedule.table_file.empty()) {
+        fmt::print("  released at the spacing of {}\n", schedule.table_file.string());
+    } else {
+        fmt::print("  released at {} spacing\n",
+                   schedule.mode == ReleaseMode::nominal ? "nominal" : "force-free");
+    }
+    for (const PushPull& window : schedule.windows) {
+        fmt::print("  {} from {:.4g} to {:.4g} mm, to {:.4g} of that spacing\n",
+                   window.spacing < 1.0 ? "pushed" : "pulled", 1e3 * window.from, 1e3 * window.to,
+                   window.spacing);
+    }
+}
+
+void print_landing(const Deployment& deployment, const ReleaseSchedule& schedule)
+{
     const auto& places = deployment.ring_arc_length;
     double narrowest = deployment.rings.front().inscribed_radius, widest = narrowest;
     for (const CrossSection& ring : deployment.rings) {
@@ -60,6 +79,25 @@ void print_device(const Case& job, const Deployment& deployment)
         "landing     {:.4g} to {:.4g} mm along the centerline, where the vessel is {:.4g} to "
         "{:.4g} mm wide\n",
         1e3 * places.back(), 1e3 * places.front(), 2e3 * narrowest, 2e3 * widest);
+    print_release(schedule);
+}
+
+void print_openings(const Deployment& deployment, const std::vector<WallOpening>& openings)
+{
+    if (openings.empty()) {
+        fmt::print("neck        none: the vessel does not open behind the device\n");
+        return;
+    }
+    const char* label = "neck";
+    for (const WallOpening& opening : openings) {
+        const auto place = [&](int ring) {
+            return 1e3 * deployment.ring_arc_length[static_cast<std::size_t>(ring)];
+        };
+        fmt::print("{:<11} {:.4g} to {:.4g} mm along the centerline, {:.4g} mm2 of the device\n",
+                   label, place(opening.proximal_ring), place(opening.distal_ring),
+                   1e6 * opening.area);
+        label = "opening";
+    }
 }
 
 /// Voxels of the box around the device; the field's own grid has a small margin.
@@ -84,7 +122,14 @@ void check_case(const std::filesystem::path& case_file, const CommonOptions& opt
 
     print_vessel(job, chain.vessel);
     print_centerline(job, chain.centerline, chain.vessel);
-    print_device(job, chain.deployment);
+    print_device("device", job.device, job.device_notes);
+    print_landing(chain.deployment, job.schedule);
+    print_openings(chain.deployment, chain.openings);
+    if (chain.second) {
+        print_device("second", job.second_device->device, job.second_device->notes);
+        print_landing(chain.second->deployment, job.second_device->schedule);
+        print_openings(chain.second->deployment, chain.second->openings);
+    }
     const BraidLattice& lattice = chain.deployment.lattice;
     fmt::print(
         "cost        {} rings of {} nodes, {} steps in {:.2g} s; about {:.2g} million voxels of "

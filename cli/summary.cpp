@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <fstream>
 
 namespace braidzone {
@@ -173,7 +174,13 @@ std::vector<std::string> warnings(const Case& job, const Chain& chain)
     const auto add = [&](const std::vector<std::string>& more) {
         all.insert(all.end(), more.begin(), more.end());
     };
-    if (job.second_device) add(job.second_device->notes);
+    if (job.second_device) {
+        // What holds for both devices is said once.
+        for (const std::string& note : job.second_device->notes) {
+            if (std::find(all.begin(), all.end(), note) == all.end())
+                all.push_back(fmt::format("second {}", note));
+        }
+    }
     add(chain.vessel.notes);
     add(range_warnings(job.law, chain.resistance.surface.rhombi));
     if (job.neck && chain.openings.front().nodes.empty()) {

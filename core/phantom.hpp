@@ -20,7 +20,8 @@ struct PhantomSegment {
 /// A sac: a sphere or ellipsoid that meets the parent vessel in a neck.
 ///
 /// The neck's diameter is measured along the parent vessel, where sac and wall meet before the
-/// fillet between them, which widens it by less than twice the blend radius.
+/// fillet between them, which widens it by less than twice the blend radius, or up to four times
+/// where the sac overhangs its neck far.
 struct PhantomSac {
     /// Arc length of the neck's centre [m]; none: at the apex of the bifurcation, where the sac
     /// continues the parent's axis and the neck is measured across both daughters.

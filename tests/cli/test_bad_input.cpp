@@ -530,7 +530,7 @@ TEST(BadCommandLine, EndsWithStatus2)
     const test::TemporaryFolder folder;
     const std::vector<std::pair<std::vector<std::string>, std::string>> commands = {
         {{}, "subcommand"},
-        {{"press", "case.toml"}, "press"},
+        {{"calibrate", "case.toml"}, "calibrate"},
         {{"run"}, "CASE is required"},
         {{"run", "case.toml", "--colour"}, "--colour"},
         {{"run", "case.toml", "--threads", "0"}, "--threads"},

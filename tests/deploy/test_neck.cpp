@@ -28,7 +28,6 @@ Phantom straight_vessel()
     phantom.segments = {{vessel_length, 0.0, 0.0}};
     phantom.proximal_radius = phantom.distal_radius = tube_radius;
     phantom.blend_radius = blend_radius;
-    phantom.edge_length = 0.25e-3;
     return phantom;
 }
 
@@ -106,7 +105,9 @@ double place(const Deployment& deployment, int ring)
 TEST(FindOpenings, FindsTheNeckOfASacWithItsWidthAndArea)
 {
     for (const double neck : {3e-3, 4e-3}) {
-        const LyingDevice lying = lying_device(vessel_with_sac(neck), 24e-3, 18e-3);
+        Phantom phantom = vessel_with_sac(neck);
+        phantom.edge_length = 0.25e-3;
+        const LyingDevice lying = lying_device(phantom, 24e-3, 18e-3);
         const Deployment& deployment = lying.deployment;
         const std::vector<WallOpening> openings = find_openings(deployment, lying.wall);
         ASSERT_EQ(openings.size(), 1U) << neck;
@@ -146,7 +147,7 @@ TEST(FindOpenings, FindsNoneInAPlainTube)
     EXPECT_TRUE(find_openings(lying.deployment, lying.wall).empty());
 }
 
-// From 2.6 to 1.4 mm over 30 mm, and 90 degrees on a radius of 6.4 mm, 3.4 times the tube's.
+// From 2.6 to 1.4 mm over 30 mm, and 90 degrees on radii of 3.4 and 1.6 times the tube's.
 TEST(FindOpenings, TakesNeitherATaperNorABendForANeck)
 {
     Phantom taper = straight_vessel();
@@ -155,10 +156,13 @@ TEST(FindOpenings, TakesNeitherATaperNorABendForANeck)
     const LyingDevice in_taper = lying_device(taper, 26e-3, 20e-3);
     EXPECT_TRUE(find_openings(in_taper.deployment, in_taper.wall).empty());
 
-    Phantom bend = straight_vessel();
-    bend.segments = {{8e-3, 0.0, 0.0}, {10e-3, 0.5 * std::numbers::pi, 0.0}, {8e-3, 0.0, 0.0}};
-    const LyingDevice in_bend = lying_device(bend, 23e-3, 20e-3);
-    EXPECT_TRUE(find_openings(in_bend.deployment, in_bend.wall).empty());
+    for (const double bend_radius : {6.4e-3, 1.6 * tube_radius}) {
+        Phantom bend = straight_vessel();
+        const double angle = 0.5 * std::numbers::pi;
+        bend.segments = {{8e-3, 0.0, 0.0}, {angle * bend_radius, angle, 0.0}, {8e-3, 0.0, 0.0}};
+        const LyingDevice in_bend = lying_device(bend, 14e-3 + angle * bend_radius, 16e-3);
+        EXPECT_TRUE(find_openings(in_bend.deployment, in_bend.wall).empty()) << bend_radius;
+    }
 }
 
 // The limits that `NeckOptions::opening_ratio` names.
