@@ -5,7 +5,6 @@
 #include "core/centerline_io.hpp"
 #include "core/surface_io.hpp"
 #include "deploy/deployment.hpp"
-#include "deploy/network_deployment.hpp"
 #include "support/devices_of_any_size.hpp"
 #include "support/patches.hpp"
 
@@ -171,21 +170,6 @@ TEST(SmoothResponse, ToThePush)
     });
     print("spacing 1.0 to 0.4", means, 4);
     EXPECT_LT(scatter(means, 4, 0.0).percentile_95, wanted_scatter);
-}
-
-// Half a minute and more, so only on request: --gtest_also_run_disabled_tests.
-TEST(SmoothResponse, DISABLED_FrictionWithHoopMigration)
-{
-    const Sidewall sidewall = read_sidewall();
-    const FlowDiverter device = test::pipeline(4e-3);
-    const auto means = sweep(0.0, 0.4, whole_device, [&](double friction) {
-        DeployOptions options;
-        options.hoop_migration = true;
-        options.friction = friction;
-        return deploy_wire_network(device, sidewall.centerline, sidewall.wall, 25e-3, {}, options);
-    });
-    for (const int degree : {2, 3, 4})
-        print("friction 0 to 0.4 with hoop migration", means, degree);
 }
 
 }  // namespace braidzone
