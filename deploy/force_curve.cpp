@@ -1,10 +1,10 @@
 #include "deploy/force_curve.hpp"
 
+#include "core/csv_fields.hpp"
 #include "core/error.hpp"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <numeric>
@@ -19,22 +19,6 @@ namespace {
 
 constexpr std::size_t fewest_points = 4;
 
-std::vector<std::string_view> fields_of(std::string_view line)
-{
-    std::vector<std::string_view> fields;
-    while (true) {
-        const auto comma = line.find(',');
-        std::string_view field = line.substr(0, comma);
-        while (!field.empty() && std::string_view(" \t\r").find(field.back()) != field.npos)
-            field.remove_suffix(1);
-        while (!field.empty() && std::string_view(" \t").find(field.front()) != field.npos)
-            field.remove_prefix(1);
-        fields.push_back(field);
-        if (comma == std::string_view::npos) return fields;
-        line.remove_prefix(comma + 1);
-    }
-}
-
 /// SI value of the unit that a column's name ends in; none if it does not begin with `quantity` or
 /// ends in another unit.
 std::optional<double> unit_of(std::string_view column, std::string_view quantity,
@@ -47,20 +31,11 @@ std::optional<double> unit_of(std::string_view column, std::string_view quantity
     return std::nullopt;
 }
 
-std::optional<double> as_number(std::string_view text)
-{
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    if (!std::isfinite(value)) return std::nullopt;
-    return value;
-}
-
 /// SI value of each column's unit; empty if the line is no header of a force curve.
 std::vector<double> units_in(std::string_view header)
 {
     std::vector<double> units;
-    for (std::string_view column : fields_of(header)) {
+    for (std::string_view column : csv_fields(header)) {
         const auto unit =
             units.empty()
                 ? unit_of(column, "displacement", {{"_mm", 1e-3}, {"_um", 1e-6}, {"_m", 1.0}})
@@ -93,10 +68,10 @@ ForceCurve read_force_curve(const std::filesystem::path& path)
     double squares = 0.0;
     for (int number = 2; std::getline(file, line); ++number) {
         if (line.empty() || line == "\r") continue;
-        const std::vector<std::string_view> fields = fields_of(line);
+        const std::vector<std::string_view> fields = csv_fields(line);
         std::vector<double> values;
         for (std::size_t i = 0; i < fields.size() && i < units.size(); ++i) {
-            if (const auto value = as_number(fields[i])) values.push_back(units[i] * *value);
+            if (const auto value = csv_number(fields[i])) values.push_back(units[i] * *value);
         }
         if (fields.size() != units.size() || values.size() != units.size()) {
             throw refuse(number,

@@ -10,6 +10,8 @@
 #include "deploy/spring_forces.hpp"
 #include "deploy/wire_theory.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,6 +75,16 @@ void require_consistent(const ReleaseSchedule& schedule, const DeployOptions& op
     }
 }
 
+/// Where the proximal end will lie is not known before the release.
+void require_landing_on_centerline(double landing_distal, const Centerline& centerline)
+{
+    if (landing_distal >= 0.0 && landing_distal <= centerline.length()) return;
+    throw GeometryError(
+        fmt::format("deployment.landing_distal = {:.6g} mm is not on the centerline, which runs "
+                    "from 0 to {:.6g} mm",
+                    1e3 * landing_distal, 1e3 * centerline.length()));
+}
+
 ReleasedNetwork release(const WireNetwork& network, const FlowDiverter& device,
                         const Centerline& centerline, const WallTree& wall, double landing_distal,
                         const ReleaseSchedule& schedule, const DeployOptions& options,
@@ -80,7 +92,7 @@ ReleasedNetwork release(const WireNetwork& network, const FlowDiverter& device,
 {
     const double catheter_radius = 0.5 * device.catheter_diameter;
     if (is_axially_free(options)) {
-        require_device_on_centerline(centerline, {landing_distal, landing_distal});
+        require_landing_on_centerline(landing_distal, centerline);
         return release_along_axis(network, centerline, wall, {landing_distal, catheter_radius},
                                   common);
     }

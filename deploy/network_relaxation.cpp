@@ -206,7 +206,6 @@ bool NetworkRelaxation::find_contacts_of_step(RingRange active, const std::vecto
             std::optional<ContactPlane> passed = obstacle.passage(place, place + way);
             if (!passed) continue;
             passed->gap -= law_.offset;
-            // Further than the step goes: a plane that is there already would stop it as well.
             passed->acts = true;
             contact.planes.push_back(*passed);
             corrected = true;

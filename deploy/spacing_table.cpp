@@ -1,11 +1,11 @@
 #include "deploy/spacing_table.hpp"
 
+#include "core/csv_fields.hpp"
 #include "core/error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -19,31 +19,19 @@ namespace {
 
 constexpr std::string_view header_form = "s_mm,lambda (or s_m, s_cm, s_um)";
 
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view white_space = " \t\r";
-    const auto first = text.find_first_not_of(white_space);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(white_space) - first + 1);
-}
-
 /// The two fields of a line; none if there are not two.
 std::optional<std::pair<std::string_view, std::string_view>> split_in_two(std::string_view line)
 {
-    const auto comma = line.find(',');
-    if (comma == std::string_view::npos) return std::nullopt;
-    const std::string_view second = line.substr(comma + 1);
-    if (second.find(',') != std::string_view::npos) return std::nullopt;
-    return std::pair{trimmed(line.substr(0, comma)), trimmed(second)};
+    const std::vector<std::string_view> fields = csv_fields(line);
+    if (fields.size() != 2) return std::nullopt;
+    return std::pair{fields[0], fields[1]};
 }
 
-std::optional<double> as_number(std::string_view text)
+std::string_view trimmed(std::string_view line)
 {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    if (!std::isfinite(value)) return std::nullopt;
-    return value;
+    while (line.ends_with('\r') || line.ends_with(' '))
+        line.remove_suffix(1);
+    return line;
 }
 
 /// Metres in the unit of the header's first column; none if it is no such header.
@@ -85,8 +73,8 @@ std::vector<SpacingPoint> read_spacing_table(const std::filesystem::path& path)
         }
         if (blank_line > 0) throw refuse(blank_line, "is empty; a point of the table is expected");
         const auto fields = split_in_two(line);
-        const auto arc_length = fields ? as_number(fields->first) : std::nullopt;
-        const auto spacing = fields ? as_number(fields->second) : std::nullopt;
+        const auto arc_length = fields ? csv_number(fields->first) : std::nullopt;
+        const auto spacing = fields ? csv_number(fields->second) : std::nullopt;
         if (!arc_length || !spacing) {
             throw refuse(number, fmt::format("\"{}\" is not a point of the table; expected are two "
                                              "numbers with a comma between",

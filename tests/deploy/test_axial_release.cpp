@@ -139,6 +139,19 @@ TEST(AxialRelease, RefusesADeviceThatReachesBeyondTheCenterline)
     EXPECT_THAT(message, HasSubstr("take a shorter device"));
 }
 
+TEST(AxialRelease, RefusesALandingOffTheCenterline)
+{
+    DeployOptions options;
+    options.axial = AxialMotion::free;
+    const WallTree wall(test::tube_vessel(tube_radius, tube_length));
+    EXPECT_THAT(message_of([&] {
+                    deploy(coarse_device(2e-3), test::tube_centerline(tube_radius, tube_length),
+                           wall, 13e-3, {}, options);
+                }),
+                HasSubstr("landing_distal = 13 mm is not on the centerline, which runs from 0 to "
+                          "12 mm"));
+}
+
 TEST(AxialRelease, RefusesALumenTooNarrowForTheCatheter)
 {
     FlowDiverter device = coarse_device(2e-3);
