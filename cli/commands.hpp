@@ -50,6 +50,11 @@ void write_phantom(const std::filesystem::path& parameters, const CommonOptions&
 /// `output`: the file; default `<press file name>.force.csv` beside it.
 void press_device(const std::filesystem::path& press_file, const CommonOptions& options);
 
+/// calibrate: fits the spring coefficients of a device to a measured press test; writes them with
+/// their intervals. `output`: the file; default `<press file name>.calibration.json` beside it.
+void calibrate_device(const std::filesystem::path& press_file,
+                      const std::filesystem::path& force_curve, const CommonOptions& options);
+
 /// devices: lists the device library, or shows one device with the sources of its values.
 void show_devices(const std::string& name);
 

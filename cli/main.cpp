@@ -19,6 +19,7 @@ struct Arguments {
     int num_threads = 0;  ///< 0: as many as there are cores
     fs::path case_file;
     fs::path foam_case;
+    fs::path force_curve;
     fs::path phantom_file;
     CenterlineCommand centerline;
     std::string device_name;
@@ -126,13 +127,25 @@ void add_vessel_verbs(CLI::App& app, Arguments& arguments)
     });
 }
 
-void add_press_verb(CLI::App& app, Arguments& arguments)
+void add_bench_verbs(CLI::App& app, Arguments& arguments)
 {
     CLI::App& verb = add_case_verb(
         app, arguments, "press", "simulate the V-notch press test: force against displacement",
         [&arguments] { press_device(arguments.case_file, arguments.common); });
     add_output_options(verb, arguments.common,
                        "file (default: CASE.force.csv beside the press file)");
+
+    CLI::App& calibrate_verb = add_case_verb(
+        app, arguments, "calibrate", "fit a device's spring coefficients to a measured press test",
+        [&arguments] {
+            calibrate_device(arguments.case_file, arguments.force_curve, arguments.common);
+        });
+    calibrate_verb
+        .add_option("--measured", arguments.force_curve,
+                    "force curve (CSV): displacement_mm,force_1_mN,force_2_mN,...")
+        ->required();
+    add_output_options(calibrate_verb, arguments.common,
+                       "file (default: CASE.calibration.json beside the press file)");
 }
 
 void add_devices_verb(CLI::App& app, Arguments& arguments)
@@ -153,7 +166,7 @@ int run(int argc, char** argv)
     Arguments arguments;
     add_run_verbs(app, arguments);
     add_vessel_verbs(app, arguments);
-    add_press_verb(app, arguments);
+    add_bench_verbs(app, arguments);
     add_devices_verb(app, arguments);
     try {
         app.parse(argc, argv);

@@ -24,6 +24,9 @@ constexpr double ratio_step = 0.02;
 /// States of the simulated press test over the stroke.
 constexpr int num_states = 20;
 
+/// Coarsest net that still has the shape of a tube.
+constexpr int fewest_nodes_per_ring = 6;
+
 /// Beyond this the two coefficients cannot be told apart: one of them may be twice or half of what
 /// it is.
 constexpr double undetermined_error = 0.35;
@@ -117,15 +120,96 @@ private:
     double standard_error_;
 };
 
-Estimate estimate(double log_value, double log_error, double t)
+/// The best coefficients on one net.
+struct NetFit {
+    Eigen::Vector2d logs;  ///< log c_surface, log c_radial
+    Eigen::Matrix2d covariance;
+    double reduced_chi_square = 0.0;
+    std::vector<double> force;  ///< at the curve's points [N]
+};
+
+/// log c_radial is the sum of both parameters.
+const Eigen::Matrix2d logs_of_parameters = (Eigen::Matrix2d() << 1.0, 0.0, 1.0, 1.0).finished();
+
+/// Where the fit begins: the device's ratio, and the factor that suits it best, in closed form.
+Eigen::Vector2d first_parameters(UnitPress& unit_press, const FlowDiverter& device,
+                                 const ForceCurve& measured)
 {
-    return {std::exp(log_value), log_error, std::exp(log_value - t * log_error),
-            std::exp(log_value + t * log_error)};
+    const double ratio = std::log(device.radial_coefficient / device.surface_coefficient);
+    const std::vector<double> unit = unit_press.curve(ratio);
+    double products = 0.0, squares = 0.0;
+    for (std::size_t i = 0; i < unit.size(); ++i) {
+        products += unit[i] * measured.points[i].force;
+        squares += unit[i] * unit[i];
+    }
+    if (!(products > 0.0)) throw InputError("the measured curve has no force in it");
+    return {std::log(products / squares), ratio};
+}
+
+NetFit fit_on_net(const FlowDiverter& device, PressOptions options, int nodes_per_ring,
+                  const ForceCurve& measured, double standard_error)
+{
+    options.nodes_per_ring = nodes_per_ring;
+    UnitPress unit_press(device, options, measured);
+    Eigen::Vector2d x = first_parameters(unit_press, device, measured);
+    ceres::Problem problem;
+    problem.AddResidualBlock(new PressResiduals(unit_press, measured, standard_error), nullptr,
+                             x.data());
+    ceres::Solver::Options solver;
+    solver.linear_solver_type = ceres::DENSE_QR;
+    solver.logging_type = ceres::SILENT;
+    solver.max_num_iterations = 30;
+    solver.function_tolerance = 1e-5;
+    solver.parameter_tolerance = 1e-4;
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver, &problem, &summary);
+    if (summary.termination_type != ceres::CONVERGENCE) {
+        throw ConvergenceError(fmt::format(
+            "the fit of the spring coefficients did not converge: {}", summary.message));
+    }
+
+    const int num_points = static_cast<int>(measured.points.size());
+    Eigen::VectorXd residuals(num_points);
+    Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> jacobian(num_points, 2);
+    const double* parameters[] = {x.data()};
+    double* jacobians[] = {jacobian.data()};
+    PressResiduals(unit_press, measured, standard_error)
+        .Evaluate(parameters, residuals.data(), jacobians);
+
+    NetFit fit;
+    fit.logs = logs_of_parameters * x;
+    fit.reduced_chi_square = residuals.squaredNorm() / (num_points - 2);
+    fit.covariance = logs_of_parameters * (jacobian.transpose() * jacobian).inverse() *
+                     logs_of_parameters.transpose() * std::max(1.0, fit.reduced_chi_square);
+    for (double value : unit_press.curve(x[1]))
+        fit.force.push_back(std::exp(x[0]) * value);
+    return fit;
+}
+
+/// A net about half as fine, with an even number of crossings around.
+int coarser_net(int nodes_per_ring)
+{
+    return std::max(fewest_nodes_per_ring, 2 * static_cast<int>(std::lround(nodes_per_ring / 4.0)));
+}
+
+/// @param i  0: c_surface, 1: c_radial
+Estimate estimate(const NetFit& fine, const NetFit& coarse, double refinement, double t, int i)
+{
+    Estimate result;
+    result.value = std::exp(fine.logs[i]);
+    result.relative_error = std::sqrt(fine.covariance(i, i));
+    result.discretisation_error = std::abs(fine.logs[i] - coarse.logs[i]) / (refinement - 1.0);
+    const double half_width = std::hypot(t * result.relative_error, result.discretisation_error);
+    result.lower = std::exp(fine.logs[i] - half_width);
+    result.upper = std::exp(fine.logs[i] + half_width);
+    return result;
 }
 
 std::string statement_on(const Calibration& fit)
 {
-    const auto known = [](const Estimate& e) { return e.relative_error < undetermined_error; };
+    const auto known = [](const Estimate& e) {
+        return std::hypot(e.relative_error, e.discretisation_error) < undetermined_error;
+    };
     std::string text;
     if (known(fit.surface) && known(fit.radial)) {
         text = "The curve determines both coefficients.";
@@ -159,65 +243,39 @@ Calibration calibrate(const FlowDiverter& device, const PressOptions& options,
             "calibration begins with the device's spring coefficients; give "
             "device.surface_coefficient, radial_coefficient and reference_node_area");
     }
+    Calibration result;
+    result.nodes_per_ring =
+        options.nodes_per_ring > 0 ? options.nodes_per_ring : device.num_wires / 2;
+    result.coarse_nodes_per_ring = coarser_net(result.nodes_per_ring);
+    if (!(result.nodes_per_ring > result.coarse_nodes_per_ring)) {
+        throw InputError(fmt::format(
+            "calibration: nodes_per_ring = {} is too coarse; at least {} are needed, so that a "
+            "coarser net can tell the error",
+            result.nodes_per_ring, fewest_nodes_per_ring + 2));
+    }
     double largest = 0.0;
     for (const ForcePoint& point : measured.points)
         largest = std::max(largest, point.force);
-    const double standard_error = std::max(smallest_relative_error * largest,
-                                           measured.deviation / std::sqrt(measured.num_repeats));
+    result.standard_error = std::max(smallest_relative_error * largest,
+                                     measured.deviation / std::sqrt(measured.num_repeats));
 
-    UnitPress unit_press(device, options, measured);
-    const double first_ratio = std::log(device.radial_coefficient / device.surface_coefficient);
-    // The factor that fits best at the first ratio, in closed form.
-    double products = 0.0, squares = 0.0;
-    const std::vector<double> first = unit_press.curve(first_ratio);
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        products += first[i] * measured.points[i].force;
-        squares += first[i] * first[i];
-    }
-    if (!(products > 0.0)) throw InputError("the measured curve has no force in it");
-
-    Eigen::Vector2d x(std::log(products / squares), first_ratio);
-    ceres::Problem problem;
-    problem.AddResidualBlock(new PressResiduals(unit_press, measured, standard_error), nullptr,
-                             x.data());
-    ceres::Solver::Options solver;
-    solver.linear_solver_type = ceres::DENSE_QR;
-    solver.logging_type = ceres::SILENT;
-    solver.max_num_iterations = 30;
-    solver.function_tolerance = 1e-5;
-    solver.parameter_tolerance = 1e-4;
-    ceres::Solver::Summary summary;
-    ceres::Solve(solver, &problem, &summary);
-    if (summary.termination_type != ceres::CONVERGENCE) {
-        throw ConvergenceError(fmt::format(
-            "the fit of the spring coefficients did not converge: {}", summary.message));
-    }
-
-    const int num_points = static_cast<int>(measured.points.size());
-    Eigen::VectorXd residuals(num_points);
-    Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> jacobian(num_points, 2);
-    const double* parameters[] = {x.data()};
-    double* jacobians[] = {jacobian.data()};
-    PressResiduals(unit_press, measured, standard_error)
-        .Evaluate(parameters, residuals.data(), jacobians);
-    const int freedom = num_points - 2;
-    Calibration fit;
-    fit.reduced_chi_square = residuals.squaredNorm() / freedom;
-    const Eigen::Matrix2d covariance =
-        (jacobian.transpose() * jacobian).inverse() * std::max(1.0, fit.reduced_chi_square);
-    // log c_radial = log c_surface + log ratio
-    const double surface_variance = covariance(0, 0);
-    const double radial_variance = covariance(0, 0) + 2.0 * covariance(0, 1) + covariance(1, 1);
-    const double t =
-        boost::math::quantile(boost::math::students_t(static_cast<double>(freedom)), 0.975);
-    fit.surface = estimate(x[0], std::sqrt(surface_variance), t);
-    fit.radial = estimate(x[0] + x[1], std::sqrt(radial_variance), t);
-    fit.correlation =
-        (covariance(0, 0) + covariance(0, 1)) / std::sqrt(surface_variance * radial_variance);
-    for (double value : unit_press.curve(x[1]))
-        fit.fitted_force.push_back(fit.surface.value * value);
-    fit.statement = statement_on(fit);
-    return fit;
+    const auto fit_on = [&](int nodes_per_ring) {
+        return fit_on_net(device, options, nodes_per_ring, measured, result.standard_error);
+    };
+    const NetFit coarse = fit_on(result.coarse_nodes_per_ring);
+    const NetFit fine = fit_on(result.nodes_per_ring);
+    const double refinement =
+        static_cast<double>(result.nodes_per_ring) / result.coarse_nodes_per_ring;
+    const double freedom = static_cast<double>(measured.points.size()) - 2.0;
+    const double t = boost::math::quantile(boost::math::students_t(freedom), 0.975);
+    result.surface = estimate(fine, coarse, refinement, t, 0);
+    result.radial = estimate(fine, coarse, refinement, t, 1);
+    result.correlation =
+        fine.covariance(0, 1) / std::sqrt(fine.covariance(0, 0) * fine.covariance(1, 1));
+    result.reduced_chi_square = fine.reduced_chi_square;
+    result.fitted_force = fine.force;
+    result.statement = statement_on(result);
+    return result;
 }
 
 }  // namespace braidzone

@@ -11,9 +11,10 @@ namespace braidzone {
 
 /// A coefficient as a fit determines it.
 struct Estimate {
-    double value = 0.0;           ///< [N/m]
-    double relative_error = 0.0;  ///< standard error of its logarithm [-]
-    double lower = 0.0;           ///< of the 95 % interval [N/m]
+    double value = 0.0;                 ///< [N/m]
+    double relative_error = 0.0;        ///< standard error of its logarithm, from the noise [-]
+    double discretisation_error = 0.0;  ///< of its logarithm, from the net's fineness [-]
+    double lower = 0.0;                 ///< of the 95 % interval [N/m]
     double upper = 0.0;
 };
 
@@ -21,6 +22,9 @@ struct Estimate {
 struct Calibration {
     Estimate surface;  ///< c_surface
     Estimate radial;   ///< c_radial, of a node that stands for the device's `reference_node_area`
+    int nodes_per_ring = 0;            ///< of the net that was fitted
+    int coarse_nodes_per_ring = 0;     ///< of the one that tells its discretisation error
+    double standard_error = 0.0;       ///< of a point of the curve, as the fit weighs it [N]
     double correlation = 0.0;          ///< of the two logarithms [-], -1 to 1
     double reduced_chi_square = 0.0;   ///< about 1 if the model fits within the noise
     std::vector<double> fitted_force;  ///< at the curve's points [N]
@@ -37,13 +41,21 @@ struct Calibration {
 /// of the repeats' mean, but no less than a hundredth of the largest force: the model is no better
 /// than that.
 ///
-/// Intervals are those of the linearised problem, with Student's t for the degrees of freedom,
-/// widened by the root of the reduced chi square where that is above 1.
+/// The noise makes an error e_n of each logarithm: that of the linearised problem, widened by the
+/// root of the reduced chi square where that is above 1. The net's fineness makes another, e_d: the
+/// fit is repeated on a net of half as many crossings around (but at least six), and with an error
+/// that falls with the first power of the width of a cell, as that of a contact at nodes does, the
+/// finer fit is wrong by
+///
+///     e_d = | log c(n) - log c(n') | / (n / n' - 1)
+///
+/// A 95 % interval is log c +- sqrt((t e_n)^2 + e_d^2) with Student's t for the degrees of freedom.
 ///
 /// @param device   its spring coefficients are where the fit begins
-/// @param options  the bench; stroke and step follow from the curve
-/// @throws InputError if the device has no spring coefficients; ConvergenceError if the press test
-///         or the fit does not converge
+/// @param options  the bench and the net (`nodes_per_ring` 0 or at least 8); stroke and step follow
+///                 from the curve
+/// @throws InputError if the device has no spring coefficients, the net is too coarse, or the curve
+///         holds no force; ConvergenceError if the press test or the fit does not converge
 Calibration calibrate(const FlowDiverter& device, const PressOptions& options,
                       const ForceCurve& measured);
 

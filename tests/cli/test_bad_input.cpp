@@ -530,7 +530,8 @@ TEST(BadCommandLine, EndsWithStatus2)
     const test::TemporaryFolder folder;
     const std::vector<std::pair<std::vector<std::string>, std::string>> commands = {
         {{}, "subcommand"},
-        {{"calibrate", "case.toml"}, "calibrate"},
+        {{"calibrate", "case.toml"}, "--measured is required"},
+        {{"diagnose", "case.toml"}, "diagnose"},
         {{"run"}, "CASE is required"},
         {{"run", "case.toml", "--colour"}, "--colour"},
         {{"run", "case.toml", "--threads", "0"}, "--threads"},

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <numbers>
 
@@ -86,6 +87,52 @@ TEST(PressVerb, WritesTheForceCurve)
     for (; std::getline(lines, line); ++num_states) {
     }
     EXPECT_EQ(num_states, 3);  // 0, 0.25 and 0.5 mm
+}
+
+// The measured curve is the program's own for twice the coefficients, at another step: what is
+// tested is the way from the files to the written coefficients, not the fit.
+TEST(CalibrateVerb, WritesTheCoefficientsOfAMeasuredCurve)
+{
+    const test::TemporaryFolder folder;
+    const std::string bench = with(with(text, "nodes_per_ring = 6", "nodes_per_ring = 8"),
+                                   "stroke = \"0.5 mm\"", "stroke = \"1.5 mm\"");
+    const auto file = folder.write("press.toml", bench);
+    const auto table = folder.path() / "simulated.csv";
+    const test::Program press(
+        {"press", file.string(), "--output", table.string(), "--set",
+         "device.surface_coefficient=1.2 N/m", "--set", "device.radial_coefficient=0.2 N/m"},
+        folder.path());
+    ASSERT_EQ(press.wait(), 0) << press.err();
+    std::ifstream lines(table);
+    std::string measured = "displacement_mm,force_mN\n", line;
+    std::getline(lines, line);
+    while (std::getline(lines, line))
+        measured += line.substr(0, line.find(',', line.find(',') + 1)) + "\n";
+    const auto curve = folder.write("measured.csv", measured);
+
+    const auto output = folder.path() / "fit.json";
+    const test::Program calibrate(
+        {"calibrate", file.string(), "--measured", curve.string(), "--output", output.string()},
+        folder.path());
+    ASSERT_EQ(calibrate.wait(), 0) << calibrate.err();
+    EXPECT_THAT(calibrate.out(), HasSubstr("surface_coefficient = \""));
+    EXPECT_THAT(calibrate.out(), HasSubstr("force_scale = 1"));
+    std::ifstream written(output);
+    const nlohmann::json fit = nlohmann::json::parse(written);
+    EXPECT_EQ(fit["curve"]["displacement"].size(), 7u);  // 0 to 1.5 mm by 0.25 mm
+    EXPECT_DOUBLE_EQ(fit["curve"]["displacement"][6].get<double>(), 1.5e-3);
+    EXPECT_EQ(fit["surface_coefficient"]["unit"], "N/m");
+    // Real coefficients are those of the paper's code times the device's scale of 61.
+    for (const auto& [key, value] :
+         {std::pair("surface_coefficient", 1.2 * 61), std::pair("radial_coefficient", 0.2 * 61)}) {
+        EXPECT_LE(fit[key]["interval_95"][0].get<double>(), value) << fit.dump(1);
+        EXPECT_GE(fit[key]["interval_95"][1].get<double>(), value) << fit.dump(1);
+    }
+
+    const test::Program absent({"calibrate", file.string(), "--measured", "absent.csv"},
+                               folder.path());
+    EXPECT_EQ(absent.wait(), 5);
+    EXPECT_THAT(absent.err(), HasSubstr("absent.csv cannot be read"));
 }
 
 }  // namespace braidzone

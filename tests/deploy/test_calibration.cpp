@@ -14,17 +14,18 @@ namespace {
 PressOptions light_options()
 {
     PressOptions options;
-    options.nodes_per_ring = 6;
-    options.stroke = 3e-3;
+    options.nodes_per_ring = 8;
+    options.stroke = 3.5e-3;
     options.step = 0.25e-3;
     return options;
 }
 
-/// A press test of a device as a tester would measure it: three repeats with noise, in shorter load
-/// steps than those of the fit.
+/// A press test of a device as a tester would measure it: three repeats with noise, of a net with
+/// half as many cells again in each direction and in shorter load steps than those of the fit.
 ForceCurve measured(const FlowDiverter& device, double noise, unsigned seed)
 {
     PressOptions options = light_options();
+    options.nodes_per_ring = 12;
     options.load_step = 0.07e-3;
     std::mt19937 random(seed);
     std::normal_distribution<double> normal(0.0, noise);
@@ -62,9 +63,25 @@ TEST(Calibrate, RecoversTheCoefficientsWithinItsIntervals)
                   device.radial_coefficient < fit.radial.upper;
         EXPECT_NEAR(fit.surface.value / device.surface_coefficient, 1.0, 0.5);
         EXPECT_NEAR(fit.radial.value / device.radial_coefficient, 1.0, 0.5);
-        EXPECT_LT(fit.fitted_force.back() / curve.points.back().force, 1.2);
+        EXPECT_NEAR(fit.fitted_force.back() / curve.points.back().force, 1.0, 0.2);
+        EXPECT_EQ(fit.nodes_per_ring, 8);
+        EXPECT_EQ(fit.coarse_nodes_per_ring, 6);
     }
     EXPECT_GE(inside, 3);  // of four intervals of 95 %
+}
+
+TEST(Calibrate, RefusesANetWithoutACoarserOne)
+{
+    PressOptions options = light_options();
+    options.nodes_per_ring = 6;
+    ForceCurve curve;
+    curve.points = {{0.0, 0.0}, {1e-3, 1e-3}, {2e-3, 2e-3}, {3e-3, 4e-3}};
+    try {
+        calibrate(test::pipeline_4x20(), options, curve);
+        FAIL() << "no InputError";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("nodes_per_ring = 6 is too coarse"));
+    }
 }
 
 TEST(Calibrate, NeedsADeviceWithSprings)
