@@ -27,6 +27,9 @@ constexpr int num_states = 20;
 /// Coarsest net that still has the shape of a tube.
 constexpr int fewest_nodes_per_ring = 6;
 
+/// A net's error beyond which a finer one is advised.
+constexpr double coarse_net_error = 0.1;
+
 /// Beyond this the two coefficients cannot be told apart: one of them may be twice or half of what
 /// it is.
 constexpr double undetermined_error = 0.35;
@@ -207,9 +210,7 @@ Estimate estimate(const NetFit& fine, const NetFit& coarse, double refinement, d
 
 std::string statement_on(const Calibration& fit)
 {
-    const auto known = [](const Estimate& e) {
-        return std::hypot(e.relative_error, e.discretisation_error) < undetermined_error;
-    };
+    const auto known = [](const Estimate& e) { return e.relative_error < undetermined_error; };
     std::string text;
     if (known(fit.surface) && known(fit.radial)) {
         text = "The curve determines both coefficients.";
@@ -222,6 +223,11 @@ std::string statement_on(const Calibration& fit)
             "The curve determines a combination of the two coefficients only (correlation {:.2f}); "
             "a longer stroke, which crushes the device after bending it, would tell them apart.",
             fit.correlation);
+    }
+    if (std::max(fit.surface.discretisation_error, fit.radial.discretisation_error) >
+        coarse_net_error) {
+        text +=
+            " The net is coarse for it: a larger press.nodes_per_ring would narrow the intervals.";
     }
     if (fit.reduced_chi_square > 4.0) {
         text += fmt::format(

@@ -37,6 +37,10 @@ constexpr double contact_offset_ratio = 5e-4;
 /// free could else be moved at no cost.
 constexpr double proximal_ratio = 1e-3;
 
+/// How often, and by how much, that is raised where the device does not come to rest otherwise.
+constexpr int stiffer_holds = 2;
+constexpr double stiffer_hold_factor = 30.0;
+
 /// Distance over the nominal radius at which nodes learn of the bench: more than the longest step.
 constexpr double reach_ratio = 0.06;
 
@@ -137,7 +141,7 @@ public:
             const std::vector<Vec3> nodes = relaxation_.shape().nodes;
             const double before = displacement_;
             displacement_ = way == remaining ? displacement : displacement_ + way;
-            if (come_to_rest()) continue;
+            if (come_to_rest_somehow()) continue;
             if (0.5 * load_step < smallest) throw_not_at_rest();
             displacement_ = before;
             relaxation_.shape().nodes = nodes;
@@ -218,6 +222,20 @@ private:
     {
         const int last = network_.lattice.num_rings - 1;
         return (hub(std::min(ring + 1, last)) - hub(std::max(ring - 1, 0))).normalized();
+    }
+
+    /// Where nodes come and go on the bench by turns, a stiffer hold to where they were calms them.
+    bool come_to_rest_somehow()
+    {
+        double& hold = relaxation_.options().proximal_stiffness;
+        const double softest = hold;
+        bool at_rest = come_to_rest();
+        for (int i = 0; i < stiffer_holds && !at_rest; ++i) {
+            hold *= stiffer_hold_factor;
+            at_rest = come_to_rest();
+        }
+        hold = softest;
+        return at_rest;
     }
 
     /// @return false if the device does not come to rest
