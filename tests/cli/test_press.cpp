@@ -94,8 +94,10 @@ TEST(PressVerb, WritesTheForceCurve)
 TEST(CalibrateVerb, WritesTheCoefficientsOfAMeasuredCurve)
 {
     const test::TemporaryFolder folder;
-    const std::string bench = with(with(text, "nodes_per_ring = 6", "nodes_per_ring = 8"),
-                                   "stroke = \"0.5 mm\"", "stroke = \"1.5 mm\"");
+    const std::string device = std::string(text).substr(0, std::string(text).find("[press]"));
+    const std::string bench = device +
+                              "[press]\nstroke = \"1.5 mm\"\nstep = \"0.25 mm\"\n"
+                              "nodes_per_ring = 8\n";
     const auto file = folder.write("press.toml", bench);
     const auto table = folder.path() / "simulated.csv";
     const test::Program press(
