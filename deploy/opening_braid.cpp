@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace braidzone {
 
 namespace {
 
 constexpr double mass = 1.0;
+
+/// Residual below which a node stays where it is, over the tolerance of the braid at rest: what the
+/// nodes around it, each a little off, add to its own stays well below the tolerance.
+constexpr double stillness_ratio = 0.05;
 
 /// Square of a bound on the angular frequencies [1/s^2]. A compliant wall stiffens a node by its
 /// own spring; the mode of a free hub against its ring is at most twice as stiff as a radial
@@ -43,56 +48,64 @@ OpeningBraid::OpeningBraid(const CrimpedBraid& braid, const SpringCoefficients& 
       held_(radii_.size(), 0),
       hub_displacements_(rings_.size(), Vec3::Zero()),
       hub_forces_(rings_.size(), Vec3::Zero()),
-      moved_(rings_.size() + 2 * reach, 0)
+      is_stale_(radii_.size(), 0),
+      has_stale_(rings_.size(), 0)
 {
     const double squared = largest_squared_frequency(coefficients_, support_, free_hubs_);
     scheme_.mass = mass;
     scheme_.damping = options.damping;
     scheme_.time_step = options.time_step_ratio * 2.0 / std::sqrt(squared);
     mobility_ = options.time_step_ratio * 2.0 / (squared * mass);
+    const double radial = radial_stiffness(coefficients_.radial);
+    stillness_ = stillness_ratio * options.residual_tolerance * radial * lattice_.nominal_radius;
+    if (motion_ == Motion::inertial)
+        force_per_swing_ = std::sqrt(scheme_.mass * radial) / scheme_.time_step;
     nodes_.reserve(radii_.size());
     for (int node = 0; node < lattice_.num_nodes(); ++node)
         nodes_.push_back(on_ray(braid_, node, braid_.radius));
 }
 
+void OpeningBraid::release_next_ring()
+{
+    mark_ring_stale(num_released_++);
+}
+
 void OpeningBraid::step()
 {
-    const std::vector<char> awake = awake_rings();
-    for (int ring = 0; ring < num_released_; ++ring) {
-        if (awake[index(ring)]) update_forces(ring);
-    }
-    std::fill(moved_.begin(), moved_.end(), char{0});
-    for (int ring = 0; ring < num_released_; ++ring) {
-        if (!awake[index(ring)]) continue;
-        move(ring);
-        if (free_hubs_) move_hub(ring);
-    }
+    const std::vector<int> nodes = take_stale_nodes();
+    for (int node : nodes)
+        update_force(node);
+    if (free_hubs_) update_hub_forces();
+    for (int node : nodes)
+        move(node);
+    if (!free_hubs_) return;
+    for (int ring = 0; ring < num_released_; ++ring)
+        move_hub(ring);
 }
 
 void OpeningBraid::update_all_forces()
 {
-    for (int ring = 0; ring < num_released_; ++ring)
-        update_forces(ring);
+    for (int node = 0; node < num_released_ * lattice_.nodes_per_ring; ++node)
+        update_force(node);
+    if (free_hubs_) update_hub_forces();
+}
+
+double OpeningBraid::residual_of(std::size_t node) const
+{
+    if (held_[node] && forces_[node] >= 0.0) return 0.0;
+    return std::max(std::abs(forces_[node]), force_per_swing_ * std::abs(displacements_[node]));
 }
 
 double OpeningBraid::largest_residual() const
 {
-    const bool has_inertia = motion_ == Motion::inertial;
-    const double radial = radial_stiffness(coefficients_.radial);
-    const double per_displacement =
-        has_inertia ? std::sqrt(scheme_.mass * radial) / scheme_.time_step : 0.0;
     double largest = 0.0;
-    for (int node = 0; node < num_released_ * lattice_.nodes_per_ring; ++node) {
-        const std::size_t i = index(node);
-        if (held_[i] && forces_[i] >= 0.0) continue;
-        largest = std::max(
-            {largest, std::abs(forces_[i]), per_displacement * std::abs(displacements_[i])});
-    }
+    for (int node = 0; node < num_released_ * lattice_.nodes_per_ring; ++node)
+        largest = std::max(largest, residual_of(index(node)));
     if (!free_hubs_) return largest;
     for (int ring = 0; ring < num_released_; ++ring) {
         largest = std::max(
             {largest, hub_forces_[index(ring)].norm(),
-             lattice_.nodes_per_ring * per_displacement * hub_displacements_[index(ring)].norm()});
+             lattice_.nodes_per_ring * force_per_swing_ * hub_displacements_[index(ring)].norm()});
     }
     return largest;
 }
@@ -129,17 +142,37 @@ std::vector<double> OpeningBraid::wall_displacements() const
     return displacements;
 }
 
-/// A ring needs a step if it or a neighbour moved in the last one; otherwise nothing about it has
-/// changed. This makes the cost that of the opening front and of the free nodes.
-std::vector<char> OpeningBraid::awake_rings() const
+void OpeningBraid::mark_ring_stale(int ring)
 {
-    std::vector<char> awake(index(num_released_));
-    for (int ring = 0; ring < num_released_; ++ring) {
-        const auto first = moved_.begin() + ring;
-        awake[index(ring)] =
-            std::any_of(first, first + 2 * reach + 1, [](char moved) { return moved != 0; });
+    const auto first = is_stale_.begin() + lattice_.node(ring, 0);
+    std::fill(first, first + lattice_.nodes_per_ring, char{1});
+    has_stale_[index(ring)] = 1;
+}
+
+/// The nodes whose force depends on where a node is: itself, and two to either side along both its
+/// wires, by the arms and by the bending.
+void OpeningBraid::mark_neighbours_stale(int ring, int column)
+{
+    const int last = std::min(ring + 2, num_released_ - 1);
+    for (int other = std::max(ring - 2, 0); other <= last; ++other) {
+        has_stale_[index(other)] = 1;
+        for (int step : lattice_.arm_steps)
+            is_stale_[index(lattice_.node(other, column + (other - ring) * step))] = 1;
     }
-    return awake;
+}
+
+/// In the order of the nodes in memory.
+std::vector<int> OpeningBraid::take_stale_nodes()
+{
+    std::vector<int> nodes;
+    for (int ring = 0; ring < num_released_; ++ring) {
+        if (!std::exchange(has_stale_[index(ring)], char{0})) continue;
+        const int end = lattice_.node(ring, 0) + lattice_.nodes_per_ring;
+        for (int node = lattice_.node(ring, 0); node < end; ++node) {
+            if (std::exchange(is_stale_[index(node)], char{0})) nodes.push_back(node);
+        }
+    }
+    return nodes;
 }
 
 double OpeningBraid::wall_force(std::size_t node) const
@@ -147,17 +180,20 @@ double OpeningBraid::wall_force(std::size_t node) const
     return -support_.stiffness[node] * std::max(0.0, radii_[node] - support_.stops[node]);
 }
 
-void OpeningBraid::update_forces(int ring)
+void OpeningBraid::update_force(int node)
 {
-    for (int column = 0; column < lattice_.nodes_per_ring; ++column) {
-        const std::size_t i = index(lattice_.node(ring, column));
-        spring_forces_[i] =
-            braid_.rays[i].dot(spring_force(lattice_, coefficients_, nodes_, rings_, ring, column));
-        forces_[i] = spring_forces_[i] +
-                     bending_force(lattice_, coefficients_.bending, radii_, ring, column);
-        if (is_compliant()) forces_[i] += wall_force(i);
-    }
-    if (free_hubs_)
+    const std::size_t i = index(node);
+    const int ring = node / lattice_.nodes_per_ring, column = node % lattice_.nodes_per_ring;
+    spring_forces_[i] =
+        braid_.rays[i].dot(spring_force(lattice_, coefficients_, nodes_, rings_, ring, column));
+    forces_[i] =
+        spring_forces_[i] + bending_force(lattice_, coefficients_.bending, radii_, ring, column);
+    if (is_compliant()) forces_[i] += wall_force(i);
+}
+
+void OpeningBraid::update_hub_forces()
+{
+    for (int ring = 0; ring < num_released_; ++ring)
         hub_forces_[index(ring)] = hub_force(lattice_, coefficients_, nodes_, rings_, ring);
 }
 
@@ -167,22 +203,22 @@ double OpeningBraid::next(double last_displacement, double force, double relativ
     return next_displacement(scheme_, last_displacement, force / relative_mass);
 }
 
-void OpeningBraid::move(int ring)
+void OpeningBraid::move(int node)
 {
-    for (int column = 0; column < lattice_.nodes_per_ring; ++column) {
-        const int node = lattice_.node(ring, column);
-        const std::size_t i = index(node);
-        if (held_[i] && forces_[i] >= 0.0) continue;
-        displacements_[i] = next(displacements_[i], forces_[i], 1.0);
-        radii_[i] += displacements_[i];
-        held_[i] = !is_compliant() && radii_[i] >= support_.stops[i];
-        if (held_[i]) {
-            radii_[i] = support_.stops[i];
-            displacements_[i] = 0.0;
-        }
-        nodes_[i] = on_ray(braid_, node, radii_[i]);
-        mark_moved(ring);
+    const std::size_t i = index(node);
+    if (residual_of(i) <= stillness_) {
+        displacements_[i] = 0.0;
+        return;
     }
+    displacements_[i] = next(displacements_[i], forces_[i], 1.0);
+    radii_[i] += displacements_[i];
+    held_[i] = !is_compliant() && radii_[i] >= support_.stops[i];
+    if (held_[i]) {
+        radii_[i] = support_.stops[i];
+        displacements_[i] = 0.0;
+    }
+    nodes_[i] = on_ray(braid_, node, radii_[i]);
+    mark_neighbours_stale(node / lattice_.nodes_per_ring, node % lattice_.nodes_per_ring);
 }
 
 void OpeningBraid::move_hub(int ring)
@@ -193,7 +229,7 @@ void OpeningBraid::move_hub(int ring)
         displacement[axis] = next(displacement[axis], force[axis], lattice_.nodes_per_ring);
     if (displacement.isZero(0.0)) return;
     rings_[index(ring)].origin += displacement;
-    mark_moved(ring);
+    mark_ring_stale(ring);
 }
 
 }  // namespace braidzone

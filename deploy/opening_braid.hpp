@@ -30,11 +30,11 @@ public:
     OpeningBraid(const CrimpedBraid& braid, const SpringCoefficients& coefficients,
                  const WallSupport& support, const DeployOptions& options);
 
-    void release_next_ring() { mark_moved(num_released_++); }
+    void release_next_ring();
     bool all_released() const { return num_released_ == lattice_.num_rings; }
     int num_released() const { return num_released_; }
 
-    /// One time step of all released rings.
+    /// One time step of all released nodes that are not at rest.
     void step();
     /// Brings the forces up to the shape after the last step.
     void update_all_forces();
@@ -61,17 +61,17 @@ public:
     std::vector<double> wall_displacements() const;
 
 private:
-    /// Rings on either side that the force on a ring depends on.
-    static constexpr int reach = 2;
-
     static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-    void mark_moved(int ring) { moved_[index(ring + reach)] = 1; }
-    std::vector<char> awake_rings() const;
+    void mark_ring_stale(int ring);
+    void mark_neighbours_stale(int ring, int column);
+    std::vector<int> take_stale_nodes();
     bool is_compliant() const { return !support_.stiffness.empty(); }
+    double residual_of(std::size_t node) const;
     double wall_force(std::size_t node) const;
-    void update_forces(int ring);
-    void move(int ring);
+    void update_force(int node);
+    void update_hub_forces();
+    void move(int node);
     void move_hub(int ring);
     double next(double last_displacement, double force, double relative_mass) const;
 
@@ -92,7 +92,13 @@ private:
     std::vector<char> held_;      ///< 1 for a node at its stop
     std::vector<Vec3> hub_displacements_;
     std::vector<Vec3> hub_forces_;
-    std::vector<char> moved_;  ///< for ring k at k + reach, so that the ends need no case
+    double stillness_ = 0.0;        ///< residual below which a node stays where it is [N]
+    double force_per_swing_ = 0.0;  ///< sqrt(m c_radial) / time step; 0 if quasi-static [N/m]
+    /// 1 for a released node whose force must be computed anew: it or one that its force depends on
+    /// moved in the last step. About all others nothing has changed, so that the cost is that of
+    /// the opening front and of the nodes that have not come to rest.
+    std::vector<char> is_stale_;
+    std::vector<char> has_stale_;  ///< 1 for a ring with such a node
     int num_released_ = 0;
 };
 
