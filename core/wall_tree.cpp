@@ -273,6 +273,25 @@ struct NearestWalk {
     }
 };
 
+struct ComesNearerWalk {
+    const TriangleTree& tree;
+    const Vec3& point;
+    double squared_distance;
+    bool found = false;
+
+    bool go_further() const { return !found; }
+    bool do_intersect(int, const Node& node) const
+    {
+        return squared_distance_between(point, node.bbox()) < squared_distance;
+    }
+    void intersection(int, const Primitive& primitive)
+    {
+        const auto& [a, b, c] = tree.corners(tree.index(primitive));
+        found =
+            found || (nearest_of_triangle(point, a, b, c) - point).squaredNorm() < squared_distance;
+    }
+};
+
 struct WithinWalk {
     const TriangleTree& tree;
     const Vec3& point;
@@ -373,6 +392,13 @@ WallPoint WallTree::nearest(const Vec3& point) const
     impl_->wall.walk_nearest_first(walk);
     return {walk.triangle, walk.nearest, impl_->normal(walk.triangle),
             std::sqrt(walk.squared_distance)};
+}
+
+bool WallTree::comes_nearer(const Vec3& point, double distance) const
+{
+    ComesNearerWalk walk{impl_->wall, point, distance * distance};
+    impl_->wall.walk(walk);
+    return walk.found;
 }
 
 std::vector<WallPoint> WallTree::within(const Vec3& point, double distance) const

@@ -46,6 +46,10 @@ public:
     /// Nearest point of the wall (the openings' caps do not count).
     WallPoint nearest(const Vec3& point) const;
 
+    /// True if the wall comes nearer to a point than a distance [m]. In the middle of a tube, where
+    /// all of the wall is as near as the nearest point, this costs far less than to find that.
+    bool comes_nearer(const Vec3& point, double distance) const;
+
     /// The nearest point of every triangle of the wall that is within a distance [m], in the order
     /// of the triangles. Together they tell a crease of the wall from a face, as one point does
     /// not.

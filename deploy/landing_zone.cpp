@@ -33,8 +33,9 @@ void require_room_for_catheter(const CrimpedBraid& braid, const std::vector<doub
 {
     for (std::size_t ring = 0; ring < braid.rings.size(); ++ring) {
         const Vec3& hub = braid.rings[ring].origin;
-        const double room = wall.contains(hub) ? wall.nearest(hub).distance : 0.0;
-        if (!(room > braid.radius)) {
+        const bool is_inside = wall.contains(hub);
+        if (!is_inside || wall.comes_nearer(hub, braid.radius)) {
+            const double room = is_inside ? wall.nearest(hub).distance : 0.0;
             throw GeometryError(fmt::format(
                 "at {:.6g} mm along the centerline the wall is {:.6g} mm away; the catheter of "
                 "{:.6g} mm diameter does not pass",

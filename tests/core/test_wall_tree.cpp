@@ -229,6 +229,30 @@ TEST(Nearest, AgreesWithALoopOverAllTriangles)
     }
 }
 
+TEST(ComesNearer, AgreesWithTheNearestPoint)
+{
+    const WallTree wall(test::tube_vessel(radius, 5.0 * radius, 24, 12));
+    RandomPoints random;
+    int num_nearer = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 point = random.near_tube();
+        const double distance = 0.3 * radius;
+        const bool expected = wall.nearest(point).distance < distance;
+        EXPECT_EQ(wall.comes_nearer(point, distance), expected) << i;
+        num_nearer += expected;
+    }
+    EXPECT_GT(num_nearer, 10);
+    EXPECT_LT(num_nearer, 190);
+}
+
+// The wall at x = 0 of the channel is 0.2 mm away.
+TEST(ComesNearer, IsFalseAtTheDistanceItself)
+{
+    const WallTree wall(square_channel());
+    EXPECT_FALSE(wall.comes_nearer(Vec3(0.2e-3, 0.5e-3, 2.5e-3), 0.2e-3));
+    EXPECT_TRUE(wall.comes_nearer(Vec3(0.2e-3, 0.5e-3, 2.5e-3), 0.2001e-3));
+}
+
 TEST(Within, FindsTheTrianglesThatALoopFinds)
 {
     const Vessel vessel = test::tube_vessel(radius, 5.0 * radius, 24, 12);
