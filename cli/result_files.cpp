@@ -66,6 +66,21 @@ void write_residuals(const fs::path& path, const Deployment& deployment)
     if (!text.flush()) throw IoError(fmt::format("{} cannot be written", path.string()));
 }
 
+/// The files of one device; their names begin with a prefix.
+void write_device_files(const fs::path& folder, const std::string& prefix,
+                        const Deployment& deployment, const ResistanceSheet& sheet,
+                        double wire_diameter, const LengthUnit& unit)
+{
+    const auto path = [&](const char* name) { return folder / (prefix + name); };
+    write_device(path("device.vtp"), deployment, sheet, unit);
+    write_wires(path("wires.vtp"), deployment, wire_diameter, unit);
+    write_unrolled(path("unrolled.vtp"), deployment, sheet, unit);
+    write_unrolled_picture(path("unrolled.png"), deployment, sheet);
+    write_residuals(path("residuals.csv"), deployment);
+    if (deployment.frames.empty()) return;
+    write_frames(path("frames.pvd"), deployment.lattice, deployment.frames, unit);
+}
+
 void write_foam(const Case& job, const Chain& chain, const fs::path& folder)
 {
     FoamCaseOptions options = *job.exports.openfoam;
@@ -81,19 +96,10 @@ void write_foam(const Case& job, const Chain& chain, const fs::path& folder)
 void write_results(const Case& job, const Chain& chain, Stage last, const fs::path& folder)
 {
     const LengthUnit& unit = chain.vessel.unit;
-    write_device(folder / "device.vtp", chain.deployment, chain.sheet, unit);
-    write_wires(folder / "wires.vtp", chain.deployment, job.device.wire_diameter, unit);
-    write_unrolled(folder / "unrolled.vtp", chain.deployment, chain.sheet, unit);
-    write_unrolled_picture(folder / "unrolled.png", chain.deployment, chain.sheet);
-    write_residuals(folder / "residuals.csv", chain.deployment);
-    if (!chain.deployment.frames.empty()) {
-        write_frames(folder, chain.deployment.lattice, chain.deployment.frames, unit);
-    }
+    write_device_files(folder, "", chain.deployment, chain.sheet, job.device.wire_diameter, unit);
     if (chain.second) {
-        const SecondDeployment& second = *chain.second;
-        write_device(folder / "second_device.vtp", second.deployment, second.sheet, unit);
-        write_wires(folder / "second_wires.vtp", second.deployment,
-                    job.second_device->device.wire_diameter, unit);
+        write_device_files(folder, "second_", chain.second->deployment, chain.second->sheet,
+                           job.second_device->device.wire_diameter, unit);
     }
     if (chain.field) {
         write_field_vdb(folder / "field.vdb", *chain.field, unit);

@@ -51,31 +51,31 @@ void write_frame(const std::filesystem::path& path, const BraidLattice& lattice,
 
 }  // namespace
 
-void write_frames(const std::filesystem::path& folder, const BraidLattice& lattice,
+void write_frames(const std::filesystem::path& collection, const BraidLattice& lattice,
                   const std::vector<Frame>& frames, const LengthUnit& unit)
 {
+    const std::filesystem::path name = collection.stem(), folder = collection.parent_path();
     std::error_code error;
-    std::filesystem::create_directories(folder / "frames", error);
+    std::filesystem::create_directories(folder / name, error);
     if (error) {
         throw IoError(
-            fmt::format("{}: cannot be made: {}", (folder / "frames").string(), error.message()));
+            fmt::format("{}: cannot be made: {}", (folder / name).string(), error.message()));
     }
-    std::string collection =
+    std::string text =
         "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
         "  <!-- timestep: steps since the first release -->\n"
         "  <Collection>\n";
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        const std::string name = fmt::format("frames/frame_{:04}.vtp", i);
-        write_frame(folder / name, lattice, frames[i], unit);
-        collection += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n",
-                                  frames[i].step, name);
+        const std::filesystem::path file = name / fmt::format("frame_{:04}.vtp", i);
+        write_frame(folder / file, lattice, frames[i], unit);
+        text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n",
+                            frames[i].step, file.string());
     }
-    collection += "  </Collection>\n</VTKFile>\n";
-    const std::filesystem::path path = folder / "frames.pvd";
-    std::ofstream file(path);
-    file << collection;
-    if (!file.flush()) throw IoError(fmt::format("{}: cannot be written", path.string()));
+    text += "  </Collection>\n</VTKFile>\n";
+    std::ofstream file(collection);
+    file << text;
+    if (!file.flush()) throw IoError(fmt::format("{}: cannot be written", collection.string()));
 }
 
 }  // namespace braidzone

@@ -148,6 +148,22 @@ TEST_F(SecondDeviceRun, FramesAreWrittenAsATimeSeries)
     EXPECT_FALSE(is_there("frames/frame_0003.vtp"));
 }
 
+TEST_F(SecondDeviceRun, WritesTheSameFilesForBothDevices)
+{
+    add_to_case(second_pipeline);
+    ASSERT_EQ(run("deploy", {"--frames", "2"}), 0) << err_;
+    for (const char* file : {"device.vtp", "wires.vtp", "unrolled.vtp", "unrolled.png",
+                             "residuals.csv", "frames.pvd", "frames/frame_0001.vtp"}) {
+        EXPECT_TRUE(is_there(file)) << file;
+        EXPECT_TRUE(is_there(std::string("second_") + file)) << file;
+    }
+    // The collection of the second device names the shapes of the second device.
+    std::ostringstream collection;
+    collection << std::ifstream(folder_.path() / "case.out" / "second_frames.pvd").rdbuf();
+    EXPECT_NE(collection.str().find("file=\"second_frames/frame_0000.vtp\""), std::string::npos)
+        << collection.str();
+}
+
 TEST_F(SecondDeviceRun, AGivenNeckWithoutAnOpeningIsNoted)
 {
     ASSERT_EQ(run("deploy", {"--set", "deployment.neck={from = \"7 mm\", to = \"9 mm\"}"}), 0)

@@ -53,7 +53,7 @@ protected:
 
 TEST_F(FramesVtp, PointsAreTheCrossingsInTheVesselsUnit)
 {
-    write_frames(folder.path(), lattice, frames, millimetre);
+    write_frames(folder.path() / "frames.pvd", lattice, frames, millimetre);
     for (const int frame : {0, 1}) {
         const auto data = read("frames/frame_000" + std::to_string(frame) + ".vtp");
         ASSERT_EQ(data->GetNumberOfPoints(), lattice.num_nodes());
@@ -66,7 +66,7 @@ TEST_F(FramesVtp, PointsAreTheCrossingsInTheVesselsUnit)
 
 TEST_F(FramesVtp, CellsAreTheRhombi)
 {
-    write_frames(folder.path(), lattice, frames, millimetre);
+    write_frames(folder.path() / "frames.pvd", lattice, frames, millimetre);
     const auto data = read("frames/frame_0000.vtp");
     ASSERT_EQ(data->GetNumberOfCells(), lattice.num_rhombi());
     for (int rhombus = 0; rhombus < lattice.num_rhombi(); ++rhombus) {
@@ -82,7 +82,7 @@ TEST_F(FramesVtp, CellsAreTheRhombi)
 
 TEST_F(FramesVtp, FlagTheReleasedRingsAndStateStepAndUnits)
 {
-    write_frames(folder.path(), lattice, frames, millimetre);
+    write_frames(folder.path() / "frames.pvd", lattice, frames, millimetre);
     for (const int frame : {0, 1}) {
         const auto data = read("frames/frame_000" + std::to_string(frame) + ".vtp");
         vtkDataArray* released = data->GetPointData()->GetArray("released");
@@ -105,7 +105,7 @@ TEST_F(FramesVtp, FlagTheReleasedRingsAndStateStepAndUnits)
 
 TEST_F(FramesVtp, TheCollectionNamesEachFrameWithItsStep)
 {
-    write_frames(folder.path(), lattice, frames, millimetre);
+    write_frames(folder.path() / "frames.pvd", lattice, frames, millimetre);
     const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
         vtkXMLUtilities::ReadElementFromFile((folder.path() / "frames.pvd").c_str()));
     ASSERT_NE(root, nullptr);
@@ -128,7 +128,7 @@ TEST_F(FramesVtp, AFrameOfAnotherLatticeIsRefused)
 {
     frames[1].nodes.pop_back();
     try {
-        write_frames(folder.path(), lattice, frames, millimetre);
+        write_frames(folder.path() / "frames.pvd", lattice, frames, millimetre);
         FAIL() << "nothing was thrown";
     } catch (const InputError& error) {
         EXPECT_EQ(std::string(error.what()),
@@ -141,7 +141,7 @@ TEST_F(FramesVtp, AFolderThatCannotBeMadeIsReported)
 {
     folder.write("taken", "a file");
     try {
-        write_frames(folder.path() / "taken", lattice, frames, millimetre);
+        write_frames(folder.path() / "taken" / "frames.pvd", lattice, frames, millimetre);
         FAIL() << "nothing was thrown";
     } catch (const IoError& error) {
         const std::string what = error.what();
