@@ -43,11 +43,13 @@ struct Calibration {
 ///
 /// The noise makes an error e_n of each logarithm: that of the linearised problem, widened by the
 /// root of the reduced chi square where that is above 1. The net's fineness makes another, e_d: the
-/// fit is repeated on a net of half as many crossings around (but at least six), and with an error
-/// that falls with the first power of the width of a cell, as that of a contact at nodes does, the
-/// finer fit is wrong by
+/// fit is repeated on a net of half as many crossings around (but at least six), and the finer one
+/// is taken to be wrong by
 ///
 ///     e_d = | log c(n) - log c(n') | / (n / n' - 1)
+///
+/// as if the error fell with the first power of the width of a cell. The force of the press test
+/// falls into place with about the second, but nets of six or eight crossings need not follow that.
 ///
 /// A 95 % interval is log c +- sqrt((t e_n)^2 + e_d^2) with Student's t for the degrees of freedom.
 ///
