@@ -14,7 +14,7 @@ constexpr double mass = 1.0;
 
 /// Residual below which a node stays where it is, over the tolerance of the braid at rest: what the
 /// nodes around it, each a little off, add to its own stays well below the tolerance.
-constexpr double stillness_ratio = 0.05;
+constexpr double stillness_ratio = 0.02;
 
 /// Square of a bound on the angular frequencies [1/s^2]. A compliant wall stiffens a node by its
 /// own spring; the mode of a free hub against its ring is at most twice as stiff as a radial
