@@ -3,14 +3,13 @@
 #include "cli/output_files.hpp"
 #include "cli/press_file.hpp"
 #include "cli/progress.hpp"
-#include "core/error.hpp"
 #include "deploy/calibration.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <fstream>
+#include <string>
 
 namespace braidzone {
 namespace {
@@ -40,6 +39,35 @@ Json curve_as_json(const ForceCurve& measured, const Calibration& fit)
     return curve;
 }
 
+Json as_json(const FlowDiverter& device)
+{
+    return {{"name", device.name},
+            {"diameter", device.nominal_diameter},
+            {"length", device.nominal_length},
+            {"unit", "m"}};
+}
+
+Json input_as_json(const std::filesystem::path& file)
+{
+    return {{"path", file.string()}, {"sha256", sha256_of_file(file)}};
+}
+
+Json as_json(const FlowDiverter& device, const ForceCurve& measured, const Calibration& fit)
+{
+    return {{"device", as_json(device)},
+            {"surface_coefficient", as_json(fit.surface)},
+            {"radial_coefficient", as_json(fit.radial)},
+            {"reference_node_area", {{"value", device.reference_node_area}, {"unit", "m^2"}}},
+            {"force_scale", 1},
+            {"correlation", fit.correlation},
+            {"reduced_chi_square", fit.reduced_chi_square},
+            {"standard_error_of_a_point", {{"value", fit.standard_error}, {"unit", "N"}}},
+            {"num_repeats", measured.num_repeats},
+            {"nodes_per_ring", {fit.nodes_per_ring, fit.coarse_nodes_per_ring}},
+            {"statement", fit.statement},
+            {"curve", curve_as_json(measured, fit)}};
+}
+
 /// The keys that give a case file's [device] the fitted springs.
 std::string device_keys(const FlowDiverter& device, const Calibration& fit)
 {
@@ -60,6 +88,17 @@ std::string interval_line(const char* name, const Estimate& estimate)
         100.0 * estimate.discretisation_error);
 }
 
+void print_fit(const FlowDiverter& device, const ForceCurve& measured, const Calibration& fit)
+{
+    fmt::print("{} {:.4g} x {:.4g} mm, {} points of {} repeat{}\n{}{}", device.name,
+               1e3 * device.nominal_diameter, 1e3 * device.nominal_length, measured.points.size(),
+               measured.num_repeats, measured.num_repeats == 1 ? "" : "s",
+               interval_line("surface_coefficient", fit.surface),
+               interval_line("radial_coefficient", fit.radial));
+    fmt::print("  misfit {:.2g} times the error of a point\n  {}\n  for a case's [device]:\n\n{}\n",
+               std::sqrt(fit.reduced_chi_square), fit.statement, device_keys(device, fit));
+}
+
 }  // namespace
 
 void calibrate_device(const std::filesystem::path& press_file,
@@ -67,54 +106,24 @@ void calibrate_device(const std::filesystem::path& press_file,
 {
     const PressFile file = read_press_file(press_file, options.overrides);
     const ForceCurve measured = read_force_curve(force_curve);
-    const std::filesystem::path wanted = options.output.value_or(
-        std::filesystem::absolute(press_file).replace_extension(".calibration.json"));
-    OutputFiles files(options.force);
-    const std::filesystem::path unfinished = files.add(wanted);
+    TextOutput output(
+        options.output.value_or(
+            std::filesystem::absolute(press_file).replace_extension(".calibration.json")),
+        options.force);
 
     Progress progress(options.quiet);
     progress.begin("calibrate", "fitting the spring coefficients");
     const Calibration fit = calibrate(file.device, file.options, measured);
     progress.end();
 
-    const Json result = {
-        {"device",
-         {{"name", file.device.name},
-          {"diameter", file.device.nominal_diameter},
-          {"length", file.device.nominal_length},
-          {"unit", "m"}}},
-        {"surface_coefficient", as_json(fit.surface)},
-        {"radial_coefficient", as_json(fit.radial)},
-        {"reference_node_area", {{"value", file.device.reference_node_area}, {"unit", "m^2"}}},
-        {"force_scale", 1},
-        {"correlation", fit.correlation},
-        {"reduced_chi_square", fit.reduced_chi_square},
-        {"standard_error_of_a_point", {{"value", fit.standard_error}, {"unit", "N"}}},
-        {"num_repeats", measured.num_repeats},
-        {"nodes_per_ring", {fit.nodes_per_ring, fit.coarse_nodes_per_ring}},
-        {"statement", fit.statement},
-        {"curve", curve_as_json(measured, fit)},
-        {"inputs",
-         {{"press_file", {{"path", press_file.string()}, {"sha256", sha256_of_file(press_file)}}},
-          {"measured",
-           {{"path", force_curve.string()}, {"sha256", sha256_of_file(force_curve)}}}}}};
-    std::ofstream text(unfinished);
-    text << result.dump(1) << '\n';
-    if (!text.flush()) throw IoError(fmt::format("{} cannot be written", wanted.string()));
-    text.close();
-    files.commit();
+    Json result = as_json(file.device, measured, fit);
+    result["inputs"] = {{"press_file", input_as_json(press_file)},
+                        {"measured", input_as_json(force_curve)}};
+    output.write(result.dump(1) + "\n");
 
     if (options.quiet) return;
-    fmt::print("{} {:.4g} x {:.4g} mm, {} points of {} repeat{}\n{}{}", file.device.name,
-               1e3 * file.device.nominal_diameter, 1e3 * file.device.nominal_length,
-               measured.points.size(), measured.num_repeats, measured.num_repeats == 1 ? "" : "s",
-               interval_line("surface_coefficient", fit.surface),
-               interval_line("radial_coefficient", fit.radial));
-    fmt::print(
-        "  misfit {:.2g} times the error of a point\n  {}\n  for a case's [device]:\n\n{}\n"
-        "  fit: {}\n",
-        std::sqrt(fit.reduced_chi_square), fit.statement, device_keys(file.device, fit),
-        wanted.string());
+    print_fit(file.device, measured, fit);
+    fmt::print("  fit: {}\n", output.path().string());
 }
 
 }  // namespace braidzone

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <fstream>
+
 namespace braidzone {
 
 namespace fs = std::filesystem;
@@ -43,6 +45,15 @@ void OutputFiles::commit()
             }
         });
     }
+}
+
+void TextOutput::write(const std::string& text)
+{
+    std::ofstream file(unfinished_);
+    file << text;
+    file.close();
+    if (!file) throw IoError(fmt::format("{} cannot be written", wanted_.string()));
+    files_.commit();
 }
 
 }  // namespace braidzone

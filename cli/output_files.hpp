@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,29 @@ public:
 private:
     bool force_ = false;
     std::vector<std::pair<std::unique_ptr<UnfinishedOutput>, std::filesystem::path>> files_;
+};
+
+/// The one text file that a verb writes, whole or absent. Made before the verb's work, so that a
+/// path that cannot be written to is refused before and not after it.
+class TextOutput {
+public:
+    /// @param wanted  its path
+    /// @param force   replace a file that is there
+    /// @throws IoError as `OutputFiles::add`
+    TextOutput(const std::filesystem::path& wanted, bool force)
+        : wanted_(wanted), files_(force), unfinished_(files_.add(wanted))
+    {
+    }
+
+    const std::filesystem::path& path() const { return wanted_; }
+
+    /// @throws IoError if the file cannot be written
+    void write(const std::string& text);
+
+private:
+    std::filesystem::path wanted_;
+    OutputFiles files_;
+    std::filesystem::path unfinished_;
 };
 
 }  // namespace braidzone

@@ -2,11 +2,8 @@
 #include "cli/output_files.hpp"
 #include "cli/press_file.hpp"
 #include "cli/progress.hpp"
-#include "core/error.hpp"
 
 #include <fmt/format.h>
-
-#include <fstream>
 
 namespace braidzone {
 namespace {
@@ -28,21 +25,16 @@ std::string force_table(const std::vector<PressState>& states, double force_scal
 void press_device(const std::filesystem::path& press_file, const CommonOptions& options)
 {
     const PressFile file = read_press_file(press_file, options.overrides);
-    const std::filesystem::path wanted = options.output.value_or(
-        std::filesystem::absolute(press_file).replace_extension(".force.csv"));
-    OutputFiles files(options.force);
-    const std::filesystem::path unfinished = files.add(wanted);
+    TextOutput output(options.output.value_or(
+                          std::filesystem::absolute(press_file).replace_extension(".force.csv")),
+                      options.force);
 
     Progress progress(options.quiet);
     progress.begin("press", "pressing the device");
     const PressNetwork pressed = press_network(file.device, file.options);
     const std::vector<PressState> states = press(pressed.network, file.options);
     progress.end();
-    std::ofstream table(unfinished);
-    table << force_table(states, pressed.force_scale);
-    if (!table.flush()) throw IoError(fmt::format("{} cannot be written", wanted.string()));
-    table.close();
-    files.commit();
+    output.write(force_table(states, pressed.force_scale));
 
     if (options.quiet) return;
     fmt::print("{} {:.4g} x {:.4g} mm: {}\n", file.device.name, 1e3 * file.device.nominal_diameter,
@@ -53,7 +45,7 @@ void press_device(const std::filesystem::path& press_file, const CommonOptions& 
     }
     for (const std::string& note : file.device_notes)
         fmt::print("  note: {}\n", note);
-    fmt::print("  force curve: {}\n", wanted.string());
+    fmt::print("  force curve: {}\n", output.path().string());
 }
 
 }  // namespace braidzone

@@ -24,8 +24,9 @@ constexpr double ratio_step = 0.02;
 /// States of the simulated press test over the stroke.
 constexpr int num_states = 20;
 
-/// Coarsest net that still has the shape of a tube.
-constexpr int fewest_nodes_per_ring = 6;
+/// Coarsest net that still has the shape of a tube, and the coarsest that it can be compared with.
+constexpr int coarsest_net = 6;
+constexpr int coarsest_fitted_net = 8;
 
 /// A net's error beyond which a finer one is advised.
 constexpr double coarse_net_error = 0.1;
@@ -192,7 +193,7 @@ NetFit fit_on_net(const FlowDiverter& device, PressOptions options, int nodes_pe
 /// A net about half as fine, with an even number of crossings around.
 int coarser_net(int nodes_per_ring)
 {
-    return std::max(fewest_nodes_per_ring, 2 * static_cast<int>(std::lround(nodes_per_ring / 4.0)));
+    return std::max(coarsest_net, 2 * static_cast<int>(std::lround(nodes_per_ring / 4.0)));
 }
 
 /// @param i  0: c_surface, 1: c_radial
@@ -252,13 +253,13 @@ Calibration calibrate(const FlowDiverter& device, const PressOptions& options,
     Calibration result;
     result.nodes_per_ring =
         options.nodes_per_ring > 0 ? options.nodes_per_ring : device.num_wires / 2;
-    result.coarse_nodes_per_ring = coarser_net(result.nodes_per_ring);
-    if (!(result.nodes_per_ring > result.coarse_nodes_per_ring)) {
-        throw InputError(fmt::format(
-            "calibration: nodes_per_ring = {} is too coarse; at least {} are needed, so that a "
-            "coarser net can tell the error",
-            result.nodes_per_ring, fewest_nodes_per_ring + 2));
+    if (!(result.nodes_per_ring >= coarsest_fitted_net)) {
+        throw ConfigError(fmt::format(
+            "press.nodes_per_ring = {} is too coarse for a calibration; at least {} are needed, so "
+            "that a coarser net can tell the error",
+            result.nodes_per_ring, coarsest_fitted_net));
     }
+    result.coarse_nodes_per_ring = coarser_net(result.nodes_per_ring);
     double largest = 0.0;
     for (const ForcePoint& point : measured.points)
         largest = std::max(largest, point.force);

@@ -56,8 +56,9 @@ struct Calibration {
 /// @param device   its spring coefficients are where the fit begins
 /// @param options  the bench and the net (`nodes_per_ring` 0 or at least 8); stroke and step follow
 ///                 from the curve
-/// @throws InputError if the device has no spring coefficients, the net is too coarse, or the curve
-///         holds no force; ConvergenceError if the press test or the fit does not converge
+/// @throws ConfigError if the net is too coarse; InputError if the device has no spring
+///         coefficients or the curve holds no force; ConvergenceError if the press test or the fit
+///         does not converge
 Calibration calibrate(const FlowDiverter& device, const PressOptions& options,
                       const ForceCurve& measured);
 

@@ -72,12 +72,12 @@ void OpeningBraid::release_next_ring()
 
 void OpeningBraid::step()
 {
-    const std::vector<int> nodes = take_stale_nodes();
-    for (int node : nodes)
-        update_force(node);
+    take_stale_nodes();
+    for (const Place& place : moving_)
+        update_force(place);
     if (free_hubs_) update_hub_forces();
-    for (int node : nodes)
-        move(node);
+    for (const Place& place : moving_)
+        move(place);
     if (!free_hubs_) return;
     for (int ring = 0; ring < num_released_; ++ring)
         move_hub(ring);
@@ -85,8 +85,10 @@ void OpeningBraid::step()
 
 void OpeningBraid::update_all_forces()
 {
-    for (int node = 0; node < num_released_ * lattice_.nodes_per_ring; ++node)
-        update_force(node);
+    for (int ring = 0; ring < num_released_; ++ring) {
+        for (int column = 0; column < lattice_.nodes_per_ring; ++column)
+            update_force({ring, column});
+    }
     if (free_hubs_) update_hub_forces();
 }
 
@@ -151,28 +153,26 @@ void OpeningBraid::mark_ring_stale(int ring)
 
 /// The nodes whose force depends on where a node is: itself, and two to either side along both its
 /// wires, by the arms and by the bending.
-void OpeningBraid::mark_neighbours_stale(int ring, int column)
+void OpeningBraid::mark_neighbours_stale(Place place)
 {
-    const int last = std::min(ring + 2, num_released_ - 1);
-    for (int other = std::max(ring - 2, 0); other <= last; ++other) {
-        has_stale_[index(other)] = 1;
+    const int last = std::min(place.ring + 2, num_released_ - 1);
+    for (int ring = std::max(place.ring - 2, 0); ring <= last; ++ring) {
+        has_stale_[index(ring)] = 1;
         for (int step : lattice_.arm_steps)
-            is_stale_[index(lattice_.node(other, column + (other - ring) * step))] = 1;
+            is_stale_[index({ring, place.column + (ring - place.ring) * step})] = 1;
     }
 }
 
-/// In the order of the nodes in memory.
-std::vector<int> OpeningBraid::take_stale_nodes()
+void OpeningBraid::take_stale_nodes()
 {
-    std::vector<int> nodes;
+    moving_.clear();
     for (int ring = 0; ring < num_released_; ++ring) {
         if (!std::exchange(has_stale_[index(ring)], char{0})) continue;
-        const int end = lattice_.node(ring, 0) + lattice_.nodes_per_ring;
-        for (int node = lattice_.node(ring, 0); node < end; ++node) {
-            if (std::exchange(is_stale_[index(node)], char{0})) nodes.push_back(node);
+        for (int column = 0; column < lattice_.nodes_per_ring; ++column) {
+            if (std::exchange(is_stale_[index({ring, column})], char{0}))
+                moving_.push_back({ring, column});
         }
     }
-    return nodes;
 }
 
 double OpeningBraid::wall_force(std::size_t node) const
@@ -180,14 +180,13 @@ double OpeningBraid::wall_force(std::size_t node) const
     return -support_.stiffness[node] * std::max(0.0, radii_[node] - support_.stops[node]);
 }
 
-void OpeningBraid::update_force(int node)
+void OpeningBraid::update_force(Place place)
 {
-    const std::size_t i = index(node);
-    const int ring = node / lattice_.nodes_per_ring, column = node % lattice_.nodes_per_ring;
-    spring_forces_[i] =
-        braid_.rays[i].dot(spring_force(lattice_, coefficients_, nodes_, rings_, ring, column));
-    forces_[i] =
-        spring_forces_[i] + bending_force(lattice_, coefficients_.bending, radii_, ring, column);
+    const std::size_t i = index(place);
+    spring_forces_[i] = braid_.rays[i].dot(
+        spring_force(lattice_, coefficients_, nodes_, rings_, place.ring, place.column));
+    forces_[i] = spring_forces_[i] +
+                 bending_force(lattice_, coefficients_.bending, radii_, place.ring, place.column);
     if (is_compliant()) forces_[i] += wall_force(i);
 }
 
@@ -203,9 +202,9 @@ double OpeningBraid::next(double last_displacement, double force, double relativ
     return next_displacement(scheme_, last_displacement, force / relative_mass);
 }
 
-void OpeningBraid::move(int node)
+void OpeningBraid::move(Place place)
 {
-    const std::size_t i = index(node);
+    const std::size_t i = index(place);
     if (residual_of(i) <= stillness_) {
         displacements_[i] = 0.0;
         return;
@@ -217,8 +216,8 @@ void OpeningBraid::move(int node)
         radii_[i] = support_.stops[i];
         displacements_[i] = 0.0;
     }
-    nodes_[i] = on_ray(braid_, node, radii_[i]);
-    mark_neighbours_stale(node / lattice_.nodes_per_ring, node % lattice_.nodes_per_ring);
+    nodes_[i] = braid_.rings[index(place.ring)].origin + radii_[i] * braid_.rays[i];
+    mark_neighbours_stale(place);
 }
 
 void OpeningBraid::move_hub(int ring)

@@ -61,17 +61,23 @@ public:
     std::vector<double> wall_displacements() const;
 
 private:
+    struct Place {
+        int ring = 0;
+        int column = 0;
+    };
+
     static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+    std::size_t index(Place place) const { return index(lattice_.node(place.ring, place.column)); }
 
     void mark_ring_stale(int ring);
-    void mark_neighbours_stale(int ring, int column);
-    std::vector<int> take_stale_nodes();
+    void mark_neighbours_stale(Place place);
+    void take_stale_nodes();
     bool is_compliant() const { return !support_.stiffness.empty(); }
     double residual_of(std::size_t node) const;
     double wall_force(std::size_t node) const;
-    void update_force(int node);
+    void update_force(Place place);
     void update_hub_forces();
-    void move(int node);
+    void move(Place place);
     void move_hub(int ring);
     double next(double last_displacement, double force, double relative_mass) const;
 
@@ -99,6 +105,7 @@ private:
     /// the opening front and of the nodes that have not come to rest.
     std::vector<char> is_stale_;
     std::vector<char> has_stale_;  ///< 1 for a ring with such a node
+    std::vector<Place> moving_;    ///< the nodes of the step under way, in the order of the lattice
     int num_released_ = 0;
 };
 

@@ -90,6 +90,24 @@ TEST(OutputFiles, AppearTogetherAtTheEnd)
     EXPECT_EQ(num_entries(place.path()), 2);
 }
 
+TEST(TextOutput, RefusesAPathBeforeTheWorkAndWritesTheTextWhole)
+{
+    const test::TemporaryFolder place;
+    const auto path = place.path() / "table.csv";
+    {
+        TextOutput output(path, false);
+        EXPECT_FALSE(std::filesystem::exists(path));
+        output.write("a,b\n");
+        EXPECT_EQ(output.path(), path);
+    }
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    EXPECT_EQ(line, "a,b");
+    EXPECT_THROW(TextOutput(path, false), IoError);
+    EXPECT_NO_THROW(TextOutput(path, true));
+}
+
 TEST(OutputFiles, ReplaceAFileByForceOnly)
 {
     const test::TemporaryFolder place;

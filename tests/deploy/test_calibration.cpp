@@ -72,14 +72,14 @@ TEST(Calibrate, RecoversTheCoefficientsWithinItsIntervals)
 TEST(Calibrate, RefusesANetWithoutACoarserOne)
 {
     PressOptions options = light_options();
-    options.nodes_per_ring = 6;
+    options.nodes_per_ring = 7;
     ForceCurve curve;
     curve.points = {{0.0, 0.0}, {1e-3, 1e-3}, {2e-3, 2e-3}, {3e-3, 4e-3}};
     try {
         calibrate(test::pipeline_4x20(), options, curve);
-        FAIL() << "no InputError";
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("nodes_per_ring = 6 is too coarse"));
+        FAIL() << "no ConfigError";
+    } catch (const ConfigError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("nodes_per_ring = 7 is too coarse"));
     }
 }
 
