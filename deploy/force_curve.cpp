@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numeric>
@@ -59,9 +60,10 @@ ForceCurve read_force_curve(const std::filesystem::path& path)
     std::getline(file, line);
     const std::vector<double> units = units_in(line);
     if (units.empty()) {
-        throw refuse(1, fmt::format("\"{}\" is not the header of a force curve; expected is "
-                                    "displacement_mm,force_1_mN,force_2_mN,...",
-                                    line));
+        throw refuse(1,
+                     fmt::format("\"{}\" is not the header of a force curve; expected is "
+                                 "displacement_mm,force_1_mN,force_2_mN,... (or _um, _m; _uN, _N)",
+                                 line));
     }
     ForceCurve curve;
     curve.num_repeats = static_cast<int>(units.size()) - 1;
@@ -96,6 +98,9 @@ ForceCurve read_force_curve(const std::filesystem::path& path)
         throw InputError(fmt::format("{}: {} points; at least {} are needed", path.string(),
                                      curve.points.size(), fewest_points));
     }
+    const auto bears = [](const ForcePoint& point) { return point.force > 0.0; };
+    if (std::none_of(curve.points.begin(), curve.points.end(), bears))
+        throw InputError(fmt::format("{}: no mean force is above zero", path.string()));
     if (curve.num_repeats > 1) {
         const double freedom = static_cast<double>(curve.points.size()) * (curve.num_repeats - 1);
         curve.deviation = std::sqrt(squares / freedom);

@@ -23,9 +23,9 @@ struct ForceCurve {
 /// Reads a measured force curve: a CSV file whose header names the columns with their units,
 /// `displacement_mm` (or `_m`, `_um`) first, then one column a repeat, each beginning with `force`
 /// and ending in `_N`, `_mN` or `_uN`, such as `displacement_mm,force_1_mN,force_2_mN,force_3_mN`.
-/// Displacements increase from 0 or above; forces are not negative.
+/// Displacements increase from 0 or above; forces may be negative by noise, but not all of them.
 /// @throws IoError if the file cannot be read; InputError with the number of the line if it is not
-///         such a file, or has fewer than four points
+///         such a file, and if it has fewer than four points or no mean force above zero
 ForceCurve read_force_curve(const std::filesystem::path& path);
 
 }  // namespace braidzone

@@ -308,7 +308,8 @@ private:
                 if (up.dot(now) * was > 0.0) continue;
                 throw ConvergenceError(fmt::format(
                     "press test: at a displacement of {:.6g} mm the upper and the lower side of "
-                    "the device meet at ring {}; contact between them is not computed",
+                    "the device meet at ring {}; contact between them is not computed: allowed "
+                    "are shorter strokes",
                     1e3 * displacement_, ring));
             }
         }

@@ -62,6 +62,8 @@ TEST(ForceCurve, RefusesWhatIsNoForceCurve)
                 HasSubstr("curve.csv:4: displacement 1 mm does not follow"));
     EXPECT_THAT(message_of("displacement_mm,force_mN\n0,0\n1,2\n2,3\n"),
                 HasSubstr("3 points; at least 4"));
+    EXPECT_THAT(message_of("displacement_mm,force_mN\n0,0\n1,0\n2,-1\n3,0\n"),
+                HasSubstr("curve.csv: no mean force is above zero"));
 }
 
 }  // namespace braidzone
