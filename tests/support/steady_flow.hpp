@@ -56,10 +56,10 @@ inline SteadyFlow drive_to_flux(LatticeFlow& flow, const Vec3& direction, double
         }
         result.num_steps += num_forces * control_steps;
         result.body_force = sum / num_forces;
-        result.converged = std::abs(result.body_force - last_mean) <=
-                               options.relative_change * std::abs(result.body_force) &&
-                           std::abs(last_velocity - velocity) <=
-                               options.relative_change * std::abs(velocity);
+        result.converged =
+            std::abs(result.body_force - last_mean) <=
+                options.relative_change * std::abs(result.body_force) &&
+            std::abs(last_velocity - velocity) <= options.relative_change * std::abs(velocity);
     }
     return result;
 }

@@ -5,6 +5,7 @@
 #include "porous/braid_stokes.hpp"
 #include "verification/unit_cell/braid_cell.hpp"
 #include "verification/unit_cell/cell_flow.hpp"
+#include "verification/unit_cell/table_grids.hpp"
 
 #include <fmt/core.h>
 #include <fmt/os.h>
@@ -21,7 +22,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-/// Each grid has 1 / sqrt(2) of the cells of the next finer one along a line.
+/// Cells along a line of the finer of two grids over those of the coarser one.
 constexpr double grid_ratio = std::numbers::sqrt2;
 
 /// An error of second order is a third of the difference to the value on half as many cells, and
@@ -31,31 +32,18 @@ double grid_uncertainty(double fine, double between, double coarse)
     return std::max(std::abs(fine - between), std::abs(fine - coarse) / 3.0);
 }
 
-struct Resolution {
-    double solidity = 0.0;
-    double spacing = 0.0;  ///< of the wires on the finest grid [lattice units]
-};
-
 void write_slow_flow(const std::filesystem::path& folder)
 {
     auto file = fmt::output_file((folder / "unit_cell.csv").string());
     file.print(
         "solidity,metal_coverage,crossing_angle_deg,cells_per_diameter,p_a_over_mu,"
         "grid_uncertainty,law,deviation\n");
-    for (const auto& [solidity, spacing] : {Resolution{0.10, 64.0},
-                                            {0.14, 56.0},
-                                            {0.176, 56.0},
-                                            {0.22, 56.0},
-                                            {0.30, 56.0},
-                                            {0.40, 45.0}}) {
+    for (const auto& [solidity, spacing] : table_resolutions) {
         for (const double angle : {90.0, 60.0, 42.0}) {
-            std::vector<BraidCell> cells;
+            const std::vector<BraidCell> cells = table_grids({solidity, angle * degree}, spacing);
             std::vector<double> losses;
-            for (const double coarsening : {grid_ratio * grid_ratio, grid_ratio, 1.0}) {
-                cells.push_back(make_braid_cell({solidity, angle * degree},
-                                                solidity * spacing / coarsening, 2.0));
-                losses.push_back(slow_loss(cells.back()));
-            }
+            for (const BraidCell& cell : cells)
+                losses.push_back(slow_loss(cell));
             const double uncertainty = grid_uncertainty(losses[2], losses[1], losses[0]);
             for (std::size_t i = 0; i < cells.size(); ++i) {
                 const double law =
