@@ -1,6 +1,6 @@
 // Writes the tables of wire-resolved flow through braids: see README.md.
 //
-//     unit_cell_table <folder>
+//     unit_cell_table <folder> slow-flow | inertia | slip
 
 #include "porous/braid_stokes.hpp"
 #include "verification/unit_cell/braid_cell.hpp"
@@ -68,19 +68,19 @@ struct ResolvedBraid {
 void write_inertia(const std::filesystem::path& folder)
 {
     const std::vector<double> reynolds_numbers{1.0, 2.0};
-    constexpr double viscosity_lu = 0.12, height = 2.5;
+    constexpr double viscosity_lu = 0.24, height = 3.5;
     auto file = fmt::output_file((folder / "unit_cell_inertia.csv").string());
     file.print(
         "solidity,crossing_angle_deg,cells_per_diameter,reynolds,p_a_over_mu,increment,"
         "grid_uncertainty,quadratic_over_density,law_quadratic_over_density,quadratic_deviation,"
         "loss_deviation\n");
-    for (const ResolvedBraid& braid : {ResolvedBraid{0.176, 90.0, 7.0},
-                                       {0.30, 90.0, 9.0},
-                                       {0.10, 90.0, 4.5},
-                                       {0.176, 42.0, 6.0},
-                                       {0.40, 90.0, 11.0},
-                                       {0.22, 90.0, 8.0},
-                                       {0.14, 90.0, 5.6}}) {
+    for (const ResolvedBraid& braid : {ResolvedBraid{0.10, 90.0, 5.5},
+                                       {0.14, 90.0, 6.3},
+                                       {0.176, 90.0, 7.5},
+                                       {0.176, 42.0, 7.0},
+                                       {0.22, 90.0, 8.5},
+                                       {0.30, 90.0, 10.0},
+                                       {0.40, 90.0, 12.0}}) {
         const Braid shape{braid.solidity, braid.crossing_angle_deg * degree};
         const BraidCell coarse_cell =
             make_braid_cell(shape, braid.cells_per_diameter / grid_ratio, height);
@@ -146,13 +146,16 @@ void write_slip(const std::filesystem::path& folder)
 
 int main(int argc, char** argv)
 {
-    if (argc != 2) {
-        fmt::print(stderr, "usage: unit_cell_table <folder>\n");
+    const std::string table = argc == 3 ? argv[2] : "";
+    if (table == "slow-flow") {
+        braidzone::test::write_slow_flow(argv[1]);
+    } else if (table == "inertia") {
+        braidzone::test::write_inertia(argv[1]);
+    } else if (table == "slip") {
+        braidzone::test::write_slip(argv[1]);
+    } else {
+        fmt::print(stderr, "usage: unit_cell_table <folder> slow-flow | inertia | slip\n");
         return 2;
     }
-    const std::filesystem::path folder = argv[1];
-    braidzone::test::write_slow_flow(folder);
-    braidzone::test::write_inertia(folder);
-    braidzone::test::write_slip(folder);
     return 0;
 }
