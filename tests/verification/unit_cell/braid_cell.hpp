@@ -34,10 +34,11 @@ inline BraidCell make_braid_cell(const Braid& braid, double cells_per_diameter, 
 {
     const double half_angle = 0.5 * braid.crossing_angle;
     const double asked = 0.5 * cells_per_diameter / braid.solidity / std::sin(half_angle);
+    constexpr double round_off = 1e-6;
     BraidCell cell;
     double least = 1.0;
-    for (int half_width = static_cast<int>(std::ceil(asked)); half_width <= 1.05 * asked + 1.0;
-         ++half_width) {
+    for (int half_width = static_cast<int>(std::ceil(asked - round_off));
+         half_width <= 1.05 * asked + 1.0; ++half_width) {
         const int depth = static_cast<int>(std::lround(half_width * std::tan(half_angle)));
         const double angle = 2.0 * std::atan2(depth, half_width);
         const double error = std::abs(angle - braid.crossing_angle);

@@ -48,7 +48,7 @@ void write_slow_flow(const std::filesystem::path& folder)
             for (std::size_t i = 0; i < cells.size(); ++i) {
                 const double law =
                     cells[i].spacing * braid_stokes_linear(rhombus_of(cells[i]), 1.0);
-                file.print("{:.3f},{:.4f},{:.2f},{:.2f},{:.3f},{:.3f},{:.3f},{:+.4f}\n", solidity,
+                file.print("{:.3f},{:.4f},{:.2f},{:.2f},{:.3f},{:.3f},{:.3f},{:.4f}\n", solidity,
                            rhombus_of(cells[i]).metal_coverage, cells[i].crossing_angle / degree,
                            cells[i].wire_diameter, losses[i],
                            uncertainty + std::abs(losses[i] - losses[2]), law,
@@ -98,8 +98,8 @@ void write_inertia(const std::filesystem::path& folder)
             const double quadratic = increment * braid.solidity / reynolds;
             const double law = linear_law + quadratic_law * reynolds / braid.solidity;
             file.print(
-                "{:.3f},{:.2f},{:.2f},{:.2f},{:.3f},{:.3f},{:.3f},{:.4f},{:.4f},{:+.3f},"
-                "{:+.4f}\n",
+                "{:.3f},{:.2f},{:.2f},{:.2f},{:.3f},{:.3f},{:.3f},{:.4f},{:.4f},{:.3f},"
+                "{:.4f}\n",
                 braid.solidity, cell.crossing_angle / degree, cell.wire_diameter, reynolds, fine[0],
                 increment, std::abs(increment - (coarse[i] - coarse[0])), quadratic, quadratic_law,
                 quadratic_law / quadratic - 1.0, law / fine[i] - 1.0);
