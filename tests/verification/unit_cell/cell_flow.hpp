@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace braidzone::test {
@@ -34,6 +36,20 @@ inline double loss(const BraidCell& cell, double force, double viscosity_lu, dou
     return force * cell.box.dims[2] * cell.spacing / (viscosity_lu * velocity_lu);
 }
 
+/// The force that drives a flow through or along a cell, see `drive_to_flux`.
+/// @throws std::runtime_error if the flow does not become steady
+inline double steady_force(const BraidCell& cell, LatticeFlow& flow, const Vec3& direction,
+                           double velocity_lu)
+{
+    const SteadyFlow steady =
+        drive_to_flux(flow, direction, velocity_lu, steady_options(cell, flow.fluid.viscosity_lu));
+    if (!steady.converged) {
+        throw std::runtime_error("flow at a braid is not steady after " +
+                                 std::to_string(steady.num_steps) + " steps");
+    }
+    return steady.body_force;
+}
+
 inline LatticeFlow flow_through(const BraidCell& cell)
 {
     return LatticeFlow(cell.box, {.viscosity_lu = slow_viscosity_lu}, cell.wires);
@@ -43,9 +59,8 @@ inline LatticeFlow flow_through(const BraidCell& cell)
 inline double slow_loss(const BraidCell& cell)
 {
     LatticeFlow flow = flow_through(cell);
-    const SteadyFlow steady = drive_to_flux(flow, Vec3::UnitZ(), slow_velocity_lu,
-                                            steady_options(cell, slow_viscosity_lu));
-    return loss(cell, steady.body_force, slow_viscosity_lu, slow_velocity_lu);
+    const double force = steady_force(cell, flow, Vec3::UnitZ(), slow_velocity_lu);
+    return loss(cell, force, slow_viscosity_lu, slow_velocity_lu);
 }
 
 /// dp p / (mu v) at rising Reynolds numbers v d / nu, each from the flow before. The first entry is
@@ -57,16 +72,14 @@ inline std::vector<double> losses_with_inertia(const BraidCell& cell,
                                                double viscosity_lu)
 {
     LatticeFlow flow = flow_through(cell);
-    const SteadyFlow slow = drive_to_flux(flow, Vec3::UnitZ(), slow_velocity_lu,
-                                          steady_options(cell, slow_viscosity_lu));
-    std::vector<double> losses{loss(cell, slow.body_force, slow_viscosity_lu, slow_velocity_lu)};
+    const double slow_force = steady_force(cell, flow, Vec3::UnitZ(), slow_velocity_lu);
+    std::vector<double> losses{loss(cell, slow_force, slow_viscosity_lu, slow_velocity_lu)};
     flow.fluid = {.viscosity_lu = viscosity_lu, .inertia = true};
     flow.body_force *= viscosity_lu / slow_viscosity_lu;
     for (const double reynolds : reynolds_numbers) {
         const double velocity = reynolds * viscosity_lu / cell.wire_diameter;
-        const SteadyFlow steady =
-            drive_to_flux(flow, Vec3::UnitZ(), velocity, steady_options(cell, viscosity_lu));
-        losses.push_back(loss(cell, steady.body_force, viscosity_lu, velocity));
+        const double force = steady_force(cell, flow, Vec3::UnitZ(), velocity);
+        losses.push_back(loss(cell, force, viscosity_lu, velocity));
     }
     return losses;
 }
@@ -89,11 +102,11 @@ inline double mean(const SlipLengths& slip)
 /// @param direction  in the braid's plane, unit
 inline SlipLengths slip_lengths(const BraidCell& cell, const Vec3& direction)
 {
-    LatticeFlow flow(cell.box, {.viscosity_lu = slow_viscosity_lu}, cell.wires);
+    LatticeFlow flow = flow_through(cell);
     const int height = cell.box.dims[2];
     // The braid lies in the middle of the box, so the planes half-way are its first and last.
     flow.forced_planes = {0, 2};
-    drive_to_flux(flow, direction, slow_velocity_lu, steady_options(cell, slow_viscosity_lu));
+    steady_force(cell, flow, direction, slow_velocity_lu);
 
     const auto slip = [&](int first, int last) {
         const double from = flow.plane_velocity(first).dot(direction);
