@@ -181,11 +181,10 @@ TEST(UnitCell, LinearPartOfTheLawIsWithinFivePercentOfAllRows)
     }
 }
 
-// The quadratic part is a secant of a loss that rises with the cube of the velocity at first. It is
-// drawn to Re_d = 2 (0.2 m/s through a Pipeline), from wire-resolved flow at s = 0.10, 0.176 and
-// 0.30: within QQ there, 30 % with s = 0.40, of which it is beyond. Below Re_d = 2 it is too large,
-// up to a factor of 2.5 at Re_d = 1. What counts is the whole loss, of which it is less than a
-// seventh.
+// The quadratic part is the secant at Re_d = 2 (0.2 m/s through a Pipeline) of a loss that rises
+// with the cube of the velocity at first, drawn by a source of its own for s = 0.10, 0.176 and
+// 0.30. There it is within 12 %; at s = 0.40, beyond them, within 30 %. At Re_d = 1 it is 1.4
+// to 2.5 times too large. What counts is the whole loss, of which it is less than a quarter.
 TEST(UnitCell, LossWithInertiaIsWithinFivePercentOfAllRows)
 {
     const CsvTable table = test::read_csv_table(tables / "unit_cell_inertia.csv");
@@ -201,7 +200,8 @@ TEST(UnitCell, LossWithInertiaIsWithinFivePercentOfAllRows)
         const double solved = table.at(row, "p_a_over_mu") + table.at(row, "increment");
         EXPECT_NEAR(law / solved, 1.0, 0.05);
         if (reynolds == 2.0) {
-            EXPECT_NEAR(quadratic / table.at(row, "quadratic_over_density"), 1.0, 0.3);
+            EXPECT_NEAR(quadratic / table.at(row, "quadratic_over_density"), 1.0,
+                        solidity < 0.35 ? 0.12 : 0.30);
         }
     }
 }

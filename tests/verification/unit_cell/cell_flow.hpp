@@ -18,8 +18,8 @@ namespace braidzone::test {
 constexpr double slow_viscosity_lu = 1.0;
 constexpr double slow_velocity_lu = 0.01;
 
-/// Steady when the force stays within a part in 10^4 while momentum diffuses over a third of the
-/// wires' spacing and sound crosses the box.
+/// Windows in which momentum diffuses over a third of the wires' spacing and sound crosses the box:
+/// the slowest changes in the flow.
 inline SteadyOptions steady_options(const BraidCell& cell, double viscosity_lu)
 {
     const double diffusion = cell.spacing * cell.spacing / (10.0 * viscosity_lu);
