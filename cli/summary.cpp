@@ -163,6 +163,8 @@ Json input_files(const Case& job)
     add("vessel", job.vessel.surface);
     if (job.vessel.centerline) add("centerline", *job.vessel.centerline);
     if (!job.schedule.table_file.empty()) add("spacing_table", job.schedule.table_file);
+    if (const auto* measured = std::get_if<MeasuredLaw>(&job.law))
+        add("loss_table", measured->table);
     if (job.second_device && !job.second_device->schedule.table_file.empty())
         add("second_spacing_table", job.second_device->schedule.table_file);
     return inputs;
@@ -182,7 +184,7 @@ std::vector<std::string> warnings(const Case& job, const Chain& chain)
         }
     }
     add(chain.vessel.notes);
-    add(range_warnings(job.law, chain.resistance.surface.rhombi));
+    add(range_warnings(job.law, chain.resistance.surface.rhombi, job.fluid));
     if (job.neck && chain.openings.front().nodes.empty()) {
         all.push_back(fmt::format(
             "deployment.neck = {:.6g} to {:.6g} mm: the vessel does not open there; figures of the "
