@@ -4,6 +4,7 @@
 #include "cli/library_versions.hpp"
 #include "cli/resolved_case.hpp"
 #include "deploy/deployment_measures.hpp"
+#include "deploy/wire_stretch.hpp"
 #include "porous/braid_surface.hpp"
 
 #include <fmt/format.h>
@@ -68,6 +69,7 @@ Json device_quantities(const DeployedDevice& deployed, const WallTree& wall)
                                               wall_gap(deployed.device), deployed.openings);
     const BraidMeasures braid =
         measure(deployed.sheet.surface, neck_parts(deployed.deployment, deployed.openings));
+    const WireStretch stretch = wire_stretch(deployed.deployment);
     constexpr auto contact = &ZoneMeasures::contact_area_fraction;
     constexpr auto force = &ZoneMeasures::radial_force_per_length;
     const auto neck_end = [&](double ArcRange::*end) {
@@ -105,6 +107,9 @@ Json device_quantities(const DeployedDevice& deployed, const WallTree& wall)
         {"mean_metal_coverage_neck", quantity(braid.mean_metal_coverage_neck, "1")},
         {"mean_pore_density_neck", quantity(braid.mean_pore_density_neck, "1/m^2")},
         {"wire_length", quantity(braid.wire_length, "m")},
+        {"wire_stretch", quantity(stretch.total, "1")},
+        {"wire_stretch_lowest", quantity(stretch.lowest, "1")},
+        {"wire_stretch_highest", quantity(stretch.highest, "1")},
         {"metal_volume", quantity(braid.metal_volume, "m^3")},
         {"device_area", quantity(braid.device_area, "m^2")},
         {"resistance_integral_surface", quantity(resistance_integral(deployed.sheet), "m")},

@@ -16,6 +16,7 @@ double surface_per_volume(const Rhombus& rhombus)
 
 SheetLoss sheet_loss(const ArmourCannonLaw& /*law*/, const Rhombus& rhombus, const Fluid& fluid)
 {
+    require_pores(rhombus, ArmourCannonLaw::name);
     const double voids = layer_void_fraction(rhombus);
     const double thickness = 2.0 * rhombus.wire_diameter;
     const double surface = surface_per_volume(rhombus);

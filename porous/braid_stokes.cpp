@@ -72,6 +72,7 @@ double braid_stokes_quadratic(const Rhombus& rhombus, double density)
 
 SheetLoss sheet_loss(const BraidStokesLaw& law, const Rhombus& rhombus, const Fluid& fluid)
 {
+    require_pores(rhombus, BraidStokesLaw::name);
     return {braid_stokes_linear(rhombus, fluid.viscosity),
             law.inertia ? braid_stokes_quadratic(rhombus, fluid.density) : 0.0};
 }

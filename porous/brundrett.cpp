@@ -26,6 +26,7 @@ double brundrett_pressure_drop(const Rhombus& rhombus, const Fluid& fluid, doubl
 
 SheetLoss sheet_loss(const BrundrettLaw& law, const Rhombus& rhombus, const Fluid& fluid)
 {
+    require_pores(rhombus, BrundrettLaw::name);
     return two_term_fit(sample_loss(
         [&](double velocity) { return brundrett_pressure_drop(rhombus, fluid, velocity); },
         law.fit_velocity));

@@ -4,6 +4,7 @@ namespace braidzone {
 
 SheetLoss sheet_loss(const ErgunLaw& /*law*/, const Rhombus& rhombus, const Fluid& fluid)
 {
+    require_pores(rhombus, ErgunLaw::name);
     const double voids = layer_void_fraction(rhombus);
     const double metal = 1.0 - voids;
     const double thickness = 2.0 * rhombus.wire_diameter;

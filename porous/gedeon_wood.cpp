@@ -38,6 +38,7 @@ double gedeon_wood_pressure_drop(const Rhombus& rhombus, const Fluid& fluid, dou
 
 SheetLoss sheet_loss(const GedeonWoodLaw& law, const Rhombus& rhombus, const Fluid& fluid)
 {
+    require_pores(rhombus, GedeonWoodLaw::name);
     return two_term_fit(sample_loss(
         [&](double velocity) { return gedeon_wood_pressure_drop(rhombus, fluid, velocity); },
         law.fit_velocity));

@@ -4,6 +4,7 @@ namespace braidzone {
 
 SheetLoss sheet_loss(const IdelchikLaw& /*law*/, const Rhombus& rhombus, const Fluid& fluid)
 {
+    require_pores(rhombus, IdelchikLaw::name);
     const double open = surface_porosity(rhombus);
     const double narrowing = 1.0 / open - 1.0;
     return {11.0 * fluid.viscosity * open / rhombus.wire_diameter,

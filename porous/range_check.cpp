@@ -1,10 +1,24 @@
 #include "porous/range_check.hpp"
 
+#include "core/error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace braidzone {
+
+void require_pores(const Rhombus& rhombus, const char* law)
+{
+    constexpr double jammed_solidity = 0.95;
+    const double densest = densest_solidity(rhombus);
+    if (densest < jammed_solidity) return;
+    throw InputError(fmt::format(
+        "jammed braid: wires of {:.6g} m at a spacing of {:.6g} m, solidity {:.6g}; {} needs less "
+        "than {:.6g}",
+        rhombus.wire_diameter, std::min(rhombus.spacing_a, rhombus.spacing_b), densest, law,
+        jammed_solidity));
+}
 
 std::vector<std::string> range_warnings(const std::string& law,
                                         const std::vector<std::vector<RangeCheck>>& checks)

@@ -1,50 +1,15 @@
 #include "porous/resistance_law.hpp"
 
-#include "core/error.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
+#include <utility>
 
 namespace braidzone {
 
 namespace {
 
-/// From this solidity on the wires of a family touch somewhere and there is no pore to flow
-/// through.
-constexpr double jammed_solidity = 0.95;
-
-/// One overload for each law.
-SheetLoss loss_of(const ConstantLaw& law, const Rhombus& /*rhombus*/, const Fluid& /*fluid*/)
-{
-    return law.loss;
-}
-
-template <typename Law>
-SheetLoss loss_of(const Law& law, const Rhombus& rhombus, const Fluid& fluid)
-{
-    const double densest = densest_solidity(rhombus);
-    if (!(densest < jammed_solidity)) {
-        throw InputError(
-            fmt::format("jammed braid: wires of {:.6g} m at a spacing of {:.6g} m, solidity "
-                        "{:.6g}; {} needs less than {:.6g}",
-                        rhombus.wire_diameter, std::min(rhombus.spacing_a, rhombus.spacing_b),
-                        densest, Law::name, jammed_solidity));
-    }
-    return sheet_loss(law, rhombus, fluid);
-}
-
 template <std::size_t... Indices>
 std::vector<std::string> names_of(std::index_sequence<Indices...> /*all*/)
 {
     return {std::variant_alternative_t<Indices, ResistanceLaw>::name...};
-}
-
-/// The given constants hold where the user says so.
-std::vector<RangeCheck> range_checks(const ConstantLaw& /*law*/, const Rhombus& /*rhombus*/,
-                                     const Fluid& /*fluid*/)
-{
-    return {};
 }
 
 }  // namespace
@@ -67,7 +32,7 @@ std::vector<ResistanceLaw> laws_without_data()
 
 SheetLoss sheet_loss(const ResistanceLaw& law, const Rhombus& rhombus, const Fluid& fluid)
 {
-    return std::visit([&](const auto& one) { return loss_of(one, rhombus, fluid); }, law);
+    return std::visit([&](const auto& one) { return sheet_loss(one, rhombus, fluid); }, law);
 }
 
 std::vector<std::string> range_warnings(const ResistanceLaw& law,

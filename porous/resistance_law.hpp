@@ -4,6 +4,7 @@
 #include "porous/armour_cannon.hpp"
 #include "porous/braid_stokes.hpp"
 #include "porous/brundrett.hpp"
+#include "porous/constant_loss.hpp"
 #include "porous/ergun.hpp"
 #include "porous/gedeon_wood.hpp"
 #include "porous/idelchik.hpp"
@@ -15,12 +16,6 @@
 #include <vector>
 
 namespace braidzone {
-
-/// The same given values for every rhombus.
-struct ConstantLaw {
-    static constexpr const char* name = "constant";
-    SheetLoss loss;
-};
 
 /// A resistance law with its constants: each in a file of its own, with its source and its range.
 using ResistanceLaw = std::variant<BraidStokesLaw, BrundrettLaw, GedeonWoodLaw, ErgunLaw,
@@ -37,9 +32,7 @@ std::vector<std::string> law_names();
 std::vector<ResistanceLaw> laws_without_data();
 
 /// The law's loss for one rhombus of the braid.
-/// @throws InputError for a jammed cell, where a family's solidity is 0.95 or more, with any law
-/// but
-///         `constant`
+/// @throws InputError for a jammed cell (`require_pores`), with any law but `constant`
 SheetLoss sheet_loss(const ResistanceLaw& law, const Rhombus& rhombus, const Fluid& fluid);
 
 /// Sentences about rhombi outside the law's range of validity; empty if there are none.

@@ -40,9 +40,9 @@ ResistanceSheet make_resistance_sheet(const BraidSurface& surface, const Resista
     }
     ResistanceSheet sheet;
     sheet.surface = surface;
-    sheet.tangential_ratio = options.tangential_ratio;
-    sheet.tangential_ratio_quadratic =
-        options.quadratic == QuadraticDrag::normal_only ? 0.0 : options.tangential_ratio;
+    sheet.tangential_ratio = {
+        options.tangential_ratio,
+        options.quadratic == QuadraticDrag::normal_only ? 0.0 : options.tangential_ratio};
     sheet.fluid = fluid;
     sheet.losses.reserve(surface.rhombi.size());
     sheet.acting.reserve(surface.rhombi.size());
@@ -61,7 +61,6 @@ ResistanceSheet make_resistance_sheet(const BraidSurface& surface, const Resista
 ResistanceSheet joined(const ResistanceSheet& first, const ResistanceSheet& second)
 {
     if (first.tangential_ratio != second.tangential_ratio ||
-        first.tangential_ratio_quadratic != second.tangential_ratio_quadratic ||
         first.fluid.viscosity != second.fluid.viscosity ||
         first.fluid.density != second.fluid.density) {
         throw InputError("two sheets with different fluids or tangential ratios cannot be joined");

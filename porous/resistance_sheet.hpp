@@ -27,6 +27,15 @@ enum class QuadraticDrag {
     normal_only,
 };
 
+/// Tangential over normal resistance [-]. Wires are no-slip along the sheet too: the flow meets a
+/// wall within half a wire diameter of the device, so the linear ratio is 1 at least.
+struct TangentialRatio {
+    double linear = 1.0;
+    double quadratic = 1.0;
+
+    bool operator==(const TangentialRatio&) const = default;
+};
+
 struct SheetOptions {
     double tangential_ratio = 1.0;  ///< tangential over normal resistance [-]; >= 0
     QuadraticDrag quadratic = QuadraticDrag::whole_velocity;
@@ -40,10 +49,7 @@ struct ResistanceSheet {
     /// 0 where the braid lies on the wall, 1 where it is free of it: smooth step of the distance
     /// from one to three wire diameters.
     std::vector<double> acting;
-    /// Of the linear resistance, tangential over normal. Wires are no-slip along the sheet too: the
-    /// flow meets a wall within half a wire diameter of the device, so the ratio is 1 at least.
-    double tangential_ratio = 1.0;
-    double tangential_ratio_quadratic = 1.0;  ///< of the quadratic resistance
+    TangentialRatio tangential_ratio;
     Fluid fluid;
 };
 
