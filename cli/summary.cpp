@@ -249,6 +249,7 @@ std::string short_summary(const Json& summary)
     line("mean radial expansion", "mean_radial_expansion", 1e3, "mm");
     line("in contact with the wall", "contact_area_fraction", 1e2, "% of its area");
     line("mean contact pressure", "mean_contact_pressure", 1.0 / 133.322387415, "mmHg");
+    line("change of wire length", "wire_stretch", 1e2, "%");
     line("metal coverage", "mean_metal_coverage", 1e2, "%");
     line("metal coverage at the neck", "mean_metal_coverage_neck", 1e2, "%");
     line("pore density at the neck", "mean_pore_density_neck", 1e-6, "per mm2");

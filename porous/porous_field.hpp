@@ -80,7 +80,8 @@ struct DepositOptions {
 /// The result does not depend on the number of threads.
 ///
 /// @throws ConfigError if the spacing or the kernel is not positive or the grid would exceed 1e11
-///         voxels, or 1e9 on the device; GeometryError if a piece of the sheet has no fluid voxel within the kernel
+///         voxels, or 1e9 on the device; GeometryError if a piece of the sheet has no fluid voxel
+///         within the kernel
 PorousField deposit(const ResistanceSheet& sheet, const Vessel& vessel,
                     const DepositOptions& options = {});
 
