@@ -9,7 +9,6 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLImageDataWriter.h>
@@ -123,13 +122,15 @@ private:
 /// The field as a source of an image, which makes the piece that is asked for.
 class FieldSource : public vtkImageAlgorithm {
 public:
-    static FieldSource* New();
-    // clang-format off
-    vtkTypeMacro(FieldSource, vtkImageAlgorithm)  // no semicolon: the macro ends with a body
-        // clang-format on
+    static FieldSource* New()
+    {
+        auto* source = new FieldSource;
+        source->InitializeObjectBase();
+        return source;
+    }
 
-        /// Both must outlive the source.
-        void show(const PorousField& field, const LengthUnit& unit)
+    /// Both must outlive the source.
+    void show(const PorousField& field, const LengthUnit& unit)
     {
         field_ = &field;
         unit_ = &unit;
@@ -204,8 +205,6 @@ private:
     const LengthUnit* unit_ = nullptr;
     std::vector<double> darcy_tangential_, forchheimer_tangential_, linear_, quadratic_;
 };
-
-vtkStandardNewMacro(FieldSource)
 
 }  // namespace
 

@@ -306,7 +306,7 @@ const std::vector<BadInput> bad_inputs = {
     {"voxels_too_fine",
      change("\"0.2 mm\"", "\"0.1 um\""),
      2,
-     {"grid.spacing = 0.0001 mm", "at most 2e+09"}},
+     {"grid.spacing = 0.0001 mm", "at most 1e+11"}},
 
     // Keys and names.
     {"unknown_key",
