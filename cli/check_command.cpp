@@ -100,6 +100,28 @@ void print_openings(const Deployment& deployment, const std::vector<WallOpening>
     }
 }
 
+void print_resistance(const Case& job, const ResistanceSheet& sheet)
+{
+    const bool whole = job.sheet.region == ResistanceRegion::whole_device;
+    fmt::print("resistance  {}, {}; tangential ratio {:.4g}{}\n", law_name(job.law),
+               whole ? "of the whole device" : "where the device is free of the wall",
+               job.sheet.tangential_ratio,
+               job.sheet.quadratic == QuadraticDrag::normal_only
+                   ? ", quadratic part along the normal only"
+                   : "");
+    if (const auto* measured = std::get_if<MeasuredLaw>(&job.law)) {
+        for (const MeasuredBraid& braid : measured->braids) {
+            fmt::print(
+                "  coverage {:.4g}, spacing {:.4g} um: a = {:.4g} Pa s/m, b = {:.4g} kg/m3, within "
+                "{:.2g} % of what was measured\n",
+                braid.metal_coverage, 1e6 * braid.wire_spacing, braid.loss.linear,
+                braid.loss.quadratic, 100.0 * braid.fit_error);
+        }
+    }
+    for (const std::string& warning : range_warnings(job.law, sheet.surface.rhombi, job.fluid))
+        fmt::print("  note: {}\n", warning);
+}
+
 /// Voxels of the box around the device; the field's own grid has a small margin.
 double expected_voxels(const Deployment& deployment, double spacing)
 {
@@ -130,6 +152,7 @@ void check_case(const std::filesystem::path& case_file, const CommonOptions& opt
         print_landing(chain.second->deployment, job.second_device->schedule);
         print_openings(chain.second->deployment, chain.second->openings);
     }
+    print_resistance(job, chain.resistance);
     const BraidLattice& lattice = chain.deployment.lattice;
     fmt::print(
         "cost        {} rings of {} nodes, {} steps in {:.2g} s; about {:.2g} million voxels of "

@@ -16,11 +16,13 @@ struct CommonOptions {
     bool quiet = false;
     bool force = false;
     std::optional<int> num_frames;  ///< in place of deployment.num_frames
+    bool compare_laws = false;      ///< tabulate and plot every resistance law
 };
 
 /// run, deploy, porous, export: computes a case as far as `last` and writes the results.
 /// `output`: the folder; default `<case name>.out` beside the case. `num_frames`: shapes of the
-/// deployment to write as a time series.
+/// deployment to write as a time series. `compare_laws`: prints every resistance law for the device
+/// at hand, and writes laws.csv and laws.png.
 void run_case(const std::filesystem::path& case_file, Stage last, const CommonOptions& options);
 
 /// export --onto: applies the device of a case to an existing OpenFOAM mesh.

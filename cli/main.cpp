@@ -68,10 +68,13 @@ void add_run_verbs(CLI::App& app, Arguments& arguments)
         verb.add_option("--frames", arguments.common.num_frames,
                         "write that many shapes of the deployment as a time series (frames.pvd)")
             ->check(CLI::Range(0, 10000));
+        return &verb;
     };
     add("run", "deploy the device, compute its flow resistance, write everything", Stage::exports);
     add("deploy", "the deployment alone", Stage::deploy);
-    add("porous", "the deployment and its flow resistance", Stage::porous);
+    add("porous", "the deployment and its flow resistance", Stage::porous)
+        ->add_flag("--compare-laws", arguments.common.compare_laws,
+                   "print every resistance law for the device; write laws.csv and laws.png");
 
     CLI::App& export_verb = add_case_verb(
         app, arguments, "export", "write the exports again, or apply the device to a mesh",

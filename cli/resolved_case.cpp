@@ -134,18 +134,40 @@ Json deployment_section(const Case& job)
     return section;
 }
 
+/// The keys of one law, one overload for each that has any.
+void add_law_keys(Json& section, const BraidStokesLaw& law)
+{
+    section["inertia"] = law.inertia;
+}
+
+void add_law_keys(Json& section, const MeasuredLaw& law)
+{
+    section["loss_table"] = law.table.string();
+    section["bench_density"] = format_quantity(law.bench_fluid.density, Dimension::density);
+    section["bench_viscosity"] =
+        format_quantity(law.bench_fluid.viscosity, Dimension::dynamic_viscosity);
+}
+
+void add_law_keys(Json& section, const ConstantLaw& law)
+{
+    section["pressure_loss_linear"] = format_quantity(law.loss.linear, Dimension::linear_loss);
+    section["pressure_loss_quadratic"] =
+        format_quantity(law.loss.quadratic, Dimension::quadratic_loss);
+}
+
+template <typename Law>
+void add_law_keys(Json& section, const Law& law)
+{
+    if constexpr (requires { law.fit_velocity; })
+        section["fit_velocity"] = format_quantity(law.fit_velocity, Dimension::velocity);
+}
+
 Json porous_section(const Case& job)
 {
     Json section = {{"law", law_name(job.law)}};
-    if (const auto* braid_stokes = std::get_if<BraidStokesLaw>(&job.law)) {
-        section["inertia"] = braid_stokes->inertia;
-    } else if (const auto* constant = std::get_if<ConstantLaw>(&job.law)) {
-        section["pressure_loss_linear"] =
-            format_quantity(constant->loss.linear, Dimension::linear_loss);
-        section["pressure_loss_quadratic"] =
-            format_quantity(constant->loss.quadratic, Dimension::quadratic_loss);
-    }
+    std::visit([&](const auto& law) { add_law_keys(section, law); }, job.law);
     section["tangential_ratio"] = job.sheet.tangential_ratio;
+    section["quadratic"] = job.sheet.quadratic == QuadraticDrag::normal_only ? "normal" : "speed";
     section["region"] = job.sheet.region == ResistanceRegion::whole_device ? "whole" : "free";
     return section;
 }

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <utility>
 
 namespace braidzone {
 namespace {
@@ -41,6 +42,10 @@ void write_case_copy(const Case& job, const fs::path& folder)
     if (job.vessel.centerline) {
         copy.vessel.centerline = "centerline" + job.vessel.centerline->extension().string();
         copy_to(*job.vessel.centerline, folder / *copy.vessel.centerline);
+    }
+    if (auto* measured = std::get_if<MeasuredLaw>(&copy.law)) {
+        const fs::path original = std::exchange(measured->table, "pressure_loss.csv");
+        copy_to(original, folder / measured->table);
     }
     const auto copy_table = [&](ReleaseSchedule& schedule, const char* name) {
         if (schedule.table_file.empty()) return;

@@ -1,9 +1,11 @@
 #include "cli/commands.hpp"
+#include "cli/law_report.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/result_files.hpp"
 #include "cli/summary.hpp"
 #include "core/error.hpp"
 #include "export/foam_apply.hpp"
+#include "export/law_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -43,6 +45,12 @@ void run_case(const std::filesystem::path& case_file, Stage last, const CommonOp
     const Chain chain = run_chain(job, last, progress);
     progress.begin("export", "writing the results");
     write_results(job, chain, last, folder.path());
+    std::vector<LawComparison> laws;
+    if (options.compare_laws) {
+        laws = compare_laws(chain.resistance, job.law);
+        write_law_table(folder.path() / "laws.csv", laws);
+        write_law_picture(folder.path() / "laws.png", chain.resistance, laws);
+    }
     progress.end();
     const auto summary = summarise(job, chain, progress, files_in(folder.path()));
     write_summary(folder.path() / "summary.json", summary);
@@ -51,6 +59,7 @@ void run_case(const std::filesystem::path& case_file, Stage last, const CommonOp
     if (options.quiet) return;
     fmt::print("{}\n{}  {:<28}{}\n", title(job), short_summary(summary), "results",
                folder.final_path().string());
+    if (options.compare_laws) fmt::print("{}", law_table(laws));
 }
 
 void apply_case_to_foam(const std::filesystem::path& case_file,

@@ -4,6 +4,7 @@
 #include "cli/library_versions.hpp"
 #include "cli/resolved_case.hpp"
 #include "deploy/deployment_measures.hpp"
+#include "deploy/wire_stretch.hpp"
 #include "porous/braid_surface.hpp"
 
 #include <fmt/format.h>
@@ -68,6 +69,7 @@ Json device_quantities(const DeployedDevice& deployed, const WallTree& wall)
                                               wall_gap(deployed.device), deployed.openings);
     const BraidMeasures braid =
         measure(deployed.sheet.surface, neck_parts(deployed.deployment, deployed.openings));
+    const WireStretch stretch = wire_stretch(deployed.deployment);
     constexpr auto contact = &ZoneMeasures::contact_area_fraction;
     constexpr auto force = &ZoneMeasures::radial_force_per_length;
     const auto neck_end = [&](double ArcRange::*end) {
@@ -105,6 +107,9 @@ Json device_quantities(const DeployedDevice& deployed, const WallTree& wall)
         {"mean_metal_coverage_neck", quantity(braid.mean_metal_coverage_neck, "1")},
         {"mean_pore_density_neck", quantity(braid.mean_pore_density_neck, "1/m^2")},
         {"wire_length", quantity(braid.wire_length, "m")},
+        {"wire_stretch", quantity(stretch.total, "1")},
+        {"wire_stretch_lowest", quantity(stretch.lowest, "1")},
+        {"wire_stretch_highest", quantity(stretch.highest, "1")},
         {"metal_volume", quantity(braid.metal_volume, "m^3")},
         {"device_area", quantity(braid.device_area, "m^2")},
         {"resistance_integral_surface", quantity(resistance_integral(deployed.sheet), "m")},
@@ -163,6 +168,8 @@ Json input_files(const Case& job)
     add("vessel", job.vessel.surface);
     if (job.vessel.centerline) add("centerline", *job.vessel.centerline);
     if (!job.schedule.table_file.empty()) add("spacing_table", job.schedule.table_file);
+    if (const auto* measured = std::get_if<MeasuredLaw>(&job.law))
+        add("loss_table", measured->table);
     if (job.second_device && !job.second_device->schedule.table_file.empty())
         add("second_spacing_table", job.second_device->schedule.table_file);
     return inputs;
@@ -182,7 +189,7 @@ std::vector<std::string> warnings(const Case& job, const Chain& chain)
         }
     }
     add(chain.vessel.notes);
-    add(range_warnings(job.law, chain.resistance.surface.rhombi));
+    add(range_warnings(job.law, chain.resistance.surface.rhombi, job.fluid));
     if (job.neck && chain.openings.front().nodes.empty()) {
         all.push_back(fmt::format(
             "deployment.neck = {:.6g} to {:.6g} mm: the vessel does not open there; figures of the "
@@ -242,6 +249,7 @@ std::string short_summary(const Json& summary)
     line("mean radial expansion", "mean_radial_expansion", 1e3, "mm");
     line("in contact with the wall", "contact_area_fraction", 1e2, "% of its area");
     line("mean contact pressure", "mean_contact_pressure", 1.0 / 133.322387415, "mmHg");
+    line("change of wire length", "wire_stretch", 1e2, "%");
     line("metal coverage", "mean_metal_coverage", 1e2, "%");
     line("metal coverage at the neck", "mean_metal_coverage_neck", 1e2, "%");
     line("pore density at the neck", "mean_pore_density_neck", 1e-6, "per mm2");

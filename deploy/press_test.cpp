@@ -244,9 +244,13 @@ private:
         const RingRange all{0, network_.lattice.num_rings};
         const double softest = 1e-3 * radial_stiffness_ * network_.lattice.nominal_radius;
         for (int i = 0; i < options_.max_iterations; ++i) {
+            const std::vector<Vec3> nodes = relaxation_.shape().nodes;
+            const double force = head_force();
             residual_ = relaxation_.iterate(all);
             ++iterations_;
-            if (residual_ < options_.residual_tolerance * std::max(softest, head_force())) {
+            if (residual_ < options_.residual_tolerance * std::max(softest, force)) {
+                // At rest was the shape before the step; after it a node may be deep in the head.
+                relaxation_.shape().nodes = nodes;
                 relaxation_.settle_contacts(all);
                 return true;
             }

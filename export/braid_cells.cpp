@@ -82,14 +82,35 @@ void add_cell_fields(vtkPolyData& data, const ResistanceSheet& sheet)
     add_numbers(fields, "metal_coverage",
                 of_rhombi(surface, [](const Rhombus& r) { return r.metal_coverage; }));
     add_numbers(fields, "surface_porosity",
-                of_rhombi(surface, [](const Rhombus& r) { return 1.0 - r.metal_coverage; }));
+                of_rhombi(surface, [](const Rhombus& r) { return surface_porosity(r); }));
     add_numbers(fields, "surface_density_increase", surface.density_increase);
     add_numbers(fields, "pore_density",
                 of_rhombi(surface, [](const Rhombus& r) { return r.pore_density; }));
+    add_numbers(fields, "pore_area",
+                of_rhombi(surface, [](const Rhombus& r) { return r.pore_area; }));
+    add_numbers(fields, "inscribed_diameter",
+                of_rhombi(surface, [](const Rhombus& r) { return r.inscribed_diameter; }));
+    add_numbers(fields, "hydraulic_diameter",
+                of_rhombi(surface, [](const Rhombus& r) { return r.hydraulic_diameter; }));
+    add_numbers(fields, "wire_spacing_a",
+                of_rhombi(surface, [](const Rhombus& r) { return r.spacing_a; }));
+    add_numbers(fields, "wire_spacing_b",
+                of_rhombi(surface, [](const Rhombus& r) { return r.spacing_b; }));
+    add_numbers(fields, "densest_solidity",
+                of_rhombi(surface, [](const Rhombus& r) { return densest_solidity(r); }));
+    add_numbers(fields, "wire_length_per_area",
+                of_rhombi(surface, [](const Rhombus& r) { return wire_length_per_area(r); }));
+    add_numbers(fields, "metal_volume_per_area",
+                of_rhombi(surface, [](const Rhombus& r) { return metal_volume_per_area(r); }));
     add_numbers(fields, "braid_angle",
                 of_rhombi(surface, [](const Rhombus& r) { return r.braid_angle; }));
+    add_numbers(fields, "crossing_angle",
+                of_rhombi(surface, [](const Rhombus& r) { return r.crossing_angle; }));
+    add_numbers(fields, "jamming_angle",
+                of_rhombi(surface, [](const Rhombus& r) { return r.jamming_angle; }));
     add_numbers(fields, "pressure_loss_linear", of_losses(sheet, &SheetLoss::linear));
     add_numbers(fields, "pressure_loss_quadratic", of_losses(sheet, &SheetLoss::quadratic));
+    add_numbers(fields, "resistance_acting", sheet.acting);
     add_numbers(fields, "contact_pressure", surface.contact_pressure);
     add_numbers(fields, "normal", surface.normals);
 }
@@ -104,7 +125,18 @@ const std::vector<ArrayUnit> array_units{{"wall_contact", "1"},
                                          {"surface_porosity", "1"},
                                          {"surface_density_increase", "1"},
                                          {"pore_density", "1/m^2"},
+                                         {"pore_area", "m^2"},
+                                         {"inscribed_diameter", "m"},
+                                         {"hydraulic_diameter", "m"},
+                                         {"wire_spacing_a", "m"},
+                                         {"wire_spacing_b", "m"},
+                                         {"densest_solidity", "1"},
+                                         {"wire_length_per_area", "1/m"},
+                                         {"metal_volume_per_area", "m"},
                                          {"braid_angle", "rad"},
+                                         {"crossing_angle", "rad"},
+                                         {"jamming_angle", "rad"},
+                                         {"resistance_acting", "1"},
                                          {"pressure_loss_linear", "Pa s/m"},
                                          {"pressure_loss_quadratic", "Pa s^2/m^2"},
                                          {"normal", "1"}};

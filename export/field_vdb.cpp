@@ -21,9 +21,8 @@ namespace {
 /// Coordinate of the voxel with that index.
 openvdb::Coord coordinate(const VoxelGrid& grid, std::int64_t index)
 {
-    const std::int64_t nx = grid.dims[0], ny = grid.dims[1];
-    return {static_cast<int>(index % nx), static_cast<int>(index / nx % ny),
-            static_cast<int>(index / (nx * ny))};
+    const auto& [i, j, k] = place_of(grid, index);
+    return {i, j, k};
 }
 
 /// Names a grid, places it in the vessel's unit and states its units.
@@ -71,20 +70,55 @@ openvdb::GridBase::Ptr normal_grid(const PorousField& field, const LengthUnit& u
     return grid;
 }
 
+/// Calls visit(coordinate, place) for every voxel of the held cubes that lies in the grid.
+template <typename Visit>
+void for_each_held_voxel(const PorousField& field, Visit visit)
+{
+    const VoxelCubes& cubes = field.wall_distance.cubes;
+    constexpr int edge = VoxelCubes::edge;
+    for (const std::int32_t cube : cubes.held) {
+        const auto& [a, b, c] = cubes.place_of(static_cast<std::size_t>(cube));
+        for (int k = edge * c; k < std::min(edge * (c + 1), field.grid.dims[2]); ++k)
+            for (int j = edge * b; j < std::min(edge * (b + 1), field.grid.dims[1]); ++j)
+                for (int i = edge * a; i < std::min(edge * (a + 1), field.grid.dims[0]); ++i)
+                    visit(openvdb::Coord(i, j, k), held_place(cubes, i, j, k));
+    }
+}
+
+/// Calls visit(coordinate, distance) for every cube that is one number: a tile, which is what a
+/// leaf of OpenVDB's tree would hold.
+template <typename Visit>
+void for_each_tile(const PorousField& field, Visit visit)
+{
+    static_assert(VoxelCubes::edge == openvdb::FloatTree::LeafNodeType::DIM);
+    const VoxelCubes& cubes = field.wall_distance.cubes;
+    for (std::size_t cube = 0; cube < cubes.num_cubes(); ++cube) {
+        if (cubes.slots[cube] != VoxelCubes::not_held) continue;
+        const auto& [a, b, c] = cubes.place_of(cube);
+        constexpr int edge = VoxelCubes::edge;
+        visit(openvdb::Coord(edge * a, edge * b, edge * c), field.wall_distance.of_cubes[cube]);
+    }
+}
+
+/// Level above the leaves, on which a tile is one leaf large.
+constexpr openvdb::Index tile_level = 1;
+
 openvdb::GridBase::Ptr wall_distance_grid(const PorousField& field, const LengthUnit& unit)
 {
     // Beyond the grid nothing is known; the largest distance keeps a contour of 0 from closing
     // along the grid's faces.
     float farthest = 0.0F;
-    for (const float distance : field.wall_distance) {
-        farthest = std::max(farthest, std::abs(distance));
-    }
+    for (const auto* distances : {&field.wall_distance.of_voxels, &field.wall_distance.of_cubes})
+        for (const float distance : *distances)
+            farthest = std::max(farthest, std::abs(distance));
     const auto grid = make_grid<openvdb::FloatGrid>("wall_distance", "m", farthest, field, unit);
     auto accessor = grid->getAccessor();
-    for (std::size_t i = 0; i < field.wall_distance.size(); ++i) {
-        accessor.setValue(coordinate(field.grid, static_cast<std::int64_t>(i)),
-                          field.wall_distance[i]);
-    }
+    for_each_tile(field, [&](const openvdb::Coord& first, float distance) {
+        accessor.addTile(tile_level, first, distance, /*active=*/false);
+    });
+    for_each_held_voxel(field, [&](const openvdb::Coord& voxel, std::size_t place) {
+        accessor.setValue(voxel, field.wall_distance.of_voxels[place]);
+    });
     return grid;
 }
 
@@ -92,12 +126,16 @@ openvdb::GridBase::Ptr cell_type_grid(const PorousField& field, const LengthUnit
 {
     const auto grid = make_grid<openvdb::FloatGrid>("cell_type", "1", 0.0F, field, unit);
     auto accessor = grid->getAccessor();
-    for (std::size_t i = 0; i < field.cell_type.size(); ++i) {
-        if (field.cell_type[i] != CellType::outside) {
-            accessor.setValue(coordinate(field.grid, static_cast<std::int64_t>(i)),
-                              static_cast<float>(field.cell_type[i]));
-        }
-    }
+    constexpr auto fluid = static_cast<float>(CellType::fluid);
+    for_each_tile(field, [&](const openvdb::Coord& first, float distance) {
+        if (distance < 0.0F) accessor.addTile(tile_level, first, fluid, /*active=*/true);
+    });
+    for_each_held_voxel(field, [&](const openvdb::Coord& voxel, std::size_t place) {
+        if (field.wall_distance.of_voxels[place] < 0.0F) accessor.setValue(voxel, fluid);
+    });
+    for (std::size_t i = 0; i < field.voxels.size(); ++i)
+        accessor.setValue(coordinate(field.grid, field.voxels[i]),
+                          static_cast<float>(cell_type(field, i)));
     return grid;
 }
 
@@ -143,8 +181,14 @@ void write_field_vdb(const std::filesystem::path& path, const PorousField& field
         sparse_grid("void_fraction", "1", 1.0F, field.void_fraction, field, unit),
         sparse_grid("surface_density", "1/m", 0.0F, field.surface_density, field, unit),
         sparse_grid("darcy_normal", "1/m^2", 0.0F, field.darcy_normal, field, unit),
-        sparse_grid("darcy_tangential", "1/m^2", 0.0F, field.darcy_tangential, field, unit),
+        sparse_grid("darcy_tangential", "1/m^2", 0.0F, darcy_tangential(field), field, unit),
         sparse_grid("forchheimer_normal", "1/m", 0.0F, field.forchheimer_normal, field, unit),
+        sparse_grid("forchheimer_tangential", "1/m", 0.0F, forchheimer_tangential(field), field,
+                    unit),
+        sparse_grid("pressure_loss_linear", "Pa s/m", 0.0F, pressure_loss_linear(field), field,
+                    unit),
+        sparse_grid("pressure_loss_quadratic", "Pa s^2/m^2", 0.0F, pressure_loss_quadratic(field),
+                    field, unit),
         normal_grid(field, unit),
         wall_distance_grid(field, unit),
         cell_type_grid(field, unit)};

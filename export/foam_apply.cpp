@@ -59,8 +59,9 @@ std::string report(const FoamApplication& result, const std::vector<FoamZone>& z
     nlohmann::json json;
     json["convention"] =
         "S = -(mu D + 1/2 rho |U| F) U per volume; D, F along the zone's normal, and "
-        "tangential_ratio times that along the sheet";
-    json["tangential_ratio"] = sheet.tangential_ratio;
+        "tangential_ratio times that along the sheet (F: tangential_ratio_quadratic times)";
+    json["tangential_ratio"] = sheet.tangential_ratio.linear;
+    json["tangential_ratio_quadratic"] = sheet.tangential_ratio.quadratic;
     json["viscosity"] = quantity(sheet.fluid.viscosity, "Pa s");
     json["density"] = quantity(sheet.fluid.density, "kg/m^3");
     json["kernel_half_width_cells"] = options.deposit.kernel_half_width;

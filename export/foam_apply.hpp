@@ -33,7 +33,8 @@ struct FoamApplication {
 /// - constant/fvOptions and its copy constant/fvModels: the resistance of the zones
 /// - system/fdFunctions: function object for the mean speed in the sac, to be included in
 ///   controlDict (`functions { #includeIfPresent "fdFunctions" }`); absent without a sac
-/// - 0/fdDarcy, 0/fdForchheimer, 0/fdNormal, 0/fdZone: for inspection; no solver reads them
+/// - 0/fdDarcy, fdForchheimer, fdNormal, fdVoidFraction, fdSurfaceDensity, fdZone: for inspection;
+///   no solver reads them
 /// - fd_export.json: units, zones, integrals, checks
 ///
 /// The fluid's density does not enter: D and F are properties of the sheet. The viscosity that the

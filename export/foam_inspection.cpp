@@ -73,6 +73,12 @@ std::vector<std::filesystem::path> write_inspection_fields(const std::filesystem
         const Vec3& n = resistance.normal[i];
         normal[cell] = fmt::format("({:.9g} {:.9g} {:.9g})", n.x(), n.y(), n.z());
     }
+    std::vector<std::string> voids(num_cells, "1"), density(num_cells, "0");
+    for (std::size_t i = 0; i < resistance.metal.cells.size(); ++i) {
+        const auto cell = static_cast<std::size_t>(resistance.metal.cells[i]);
+        voids[cell] = fmt::format("{:.9g}", resistance.metal.void_fraction[i]);
+        density[cell] = fmt::format("{:.9g}", resistance.metal.surface_density[i]);
+    }
     for (std::size_t zone = 0; zone < zones.size(); ++zone)
         for (const int cell : zones[zone].cells)
             zone_of[static_cast<std::size_t>(cell)] = std::to_string(zone);
@@ -82,8 +88,11 @@ std::vector<std::filesystem::path> write_inspection_fields(const std::filesystem
     write_field(folder, {"fdDarcy", "scalar", "[0 -2 0 0 0 0 0]", "0"}, darcy, mesh);
     write_field(folder, {"fdForchheimer", "scalar", "[0 -1 0 0 0 0 0]", "0"}, forchheimer, mesh);
     write_field(folder, {"fdNormal", "vector", no_dimension, "(0 0 0)"}, normal, mesh);
+    write_field(folder, {"fdVoidFraction", "scalar", no_dimension, "1"}, voids, mesh);
+    write_field(folder, {"fdSurfaceDensity", "scalar", "[0 -1 0 0 0 0 0]", "0"}, density, mesh);
     write_field(folder, {"fdZone", "scalar", no_dimension, "-1"}, zone_of, mesh);
-    return {start / "fdDarcy", start / "fdForchheimer", start / "fdNormal", start / "fdZone"};
+    return {start / "fdDarcy",        start / "fdForchheimer",    start / "fdNormal",
+            start / "fdVoidFraction", start / "fdSurfaceDensity", start / "fdZone"};
 }
 
 }  // namespace braidzone

@@ -9,7 +9,8 @@
 namespace braidzone {
 
 /// Writes fields to look at in ParaView, which no solver reads: fdDarcy [1/m^2] and fdForchheimer
-/// [1/m] as deposited, before zones are formed; fdNormal; fdZone (number of the zone, -1 outside).
+/// [1/m] as deposited, before zones are formed; fdNormal; fdVoidFraction and
+/// fdSurfaceDensity [1/m] of the whole device; fdZone (number of the zone, -1 outside).
 ///
 /// They go into the case's start fields: the folder 0, or 0.orig if only that exists.
 /// @return the files, relative to the case

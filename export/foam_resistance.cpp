@@ -5,10 +5,12 @@
 #include "porous/deposit_kernel.hpp"
 
 #include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <utility>
 
 namespace braidzone {
@@ -62,14 +64,21 @@ struct Kernel {
     }
 };
 
+/// Which cells a search has been to; each thread has its own.
+struct Visited {
+    std::vector<int> search_of_cell;
+    int search = 0;
+};
+
 /// The cells that the kernel reaches from `start` through faces.
-/// @param visited  per cell, the number of the last call that visited it
 std::vector<Share> spread(const SearchableMesh& mesh, const Kernel& kernel, int start,
-                          std::vector<int>& visited, int call)
+                          Visited& visited)
 {
+    ++visited.search;
     std::vector<Share> shares;
     const auto visit = [&](int cell) {
-        if (std::exchange(visited[static_cast<std::size_t>(cell)], call) == call) return;
+        int& search = visited.search_of_cell[static_cast<std::size_t>(cell)];
+        if (std::exchange(search, visited.search) == visited.search) return;
         const double weight = kernel.weight(mesh.centre(cell)) * mesh.volume(cell);
         if (weight > 0.0) shares.push_back({cell, weight});
     };
@@ -88,21 +97,24 @@ std::vector<Share> spread(const SearchableMesh& mesh, const Kernel& kernel, int 
 
 /// What the cells collect: volume integrals of the coefficients, and the mean normal.
 struct Collected {
+    double area = 0.0;         ///< of the device, whether it acts or not [m^2]
+    double metal = 0.0;        ///< [m^3]
     double darcy = 0.0;        ///< D V [m]
     double forchheimer = 0.0;  ///< F V [m^2]
     Vec3 normal = Vec3::Zero();
 
-    void add(double darcy_part, double forchheimer_part, const Vec3& area)
+    void add(double darcy_part, double forchheimer_part, const Vec3& vector_area)
     {
         darcy += darcy_part;
         forchheimer += forchheimer_part;
         // Two sheets that face each other have one direction, not none.
-        normal += normal.dot(area) < 0.0 ? Vec3(-area) : area;
+        normal += normal.dot(vector_area) < 0.0 ? Vec3(-vector_area) : vector_area;
     }
 };
 
-[[noreturn]] void refuse(const SheetPiece& piece, const SearchableMesh& mesh, int nearest)
+[[noreturn]] void refuse(const SheetPiece& piece, const SearchableMesh& mesh)
 {
+    const int nearest = mesh.search.nearest(piece.position);
     Vec3 lower = mesh.centre(0), upper = mesh.centre(0);
     for (const Vec3& centre : mesh.mesh.cell_centres) {
         lower = lower.cwiseMin(centre);
@@ -117,15 +129,77 @@ struct Collected {
         lower.z(), upper.x(), upper.y(), upper.z()));
 }
 
-/// The smallest local cell size along the acting sheet [m]; infinity if nothing acts.
-double finest_size(const ResistanceSheet& sheet, const SearchableMesh& mesh)
+/// The smallest local cell size around a rhombus [m].
+double finest_size(const BraidSurface& surface, std::size_t rhombus, const SearchableMesh& mesh)
 {
-    double finest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < sheet.acting.size(); ++i)
-        if (sheet.acting[i] > 0.0)
-            finest =
-                std::min(finest, mesh.local_size(mesh.search.nearest(sheet.surface.centres[i])));
+    double finest = mesh.local_size(mesh.search.nearest(surface.centres[rhombus]));
+    for (const int corner : surface.corners[rhombus]) {
+        const Vec3& point = surface.points[static_cast<std::size_t>(corner)];
+        finest = std::min(finest, mesh.local_size(mesh.search.nearest(point)));
+    }
     return finest;
+}
+
+/// Rhombi whose shares are held at once. Fixed, and they are added up in order, so that the sums do
+/// not depend on the threads.
+constexpr std::size_t batch_size = 1024;
+
+/// Longest edge of a piece of the sheet, over the local cell size.
+constexpr double piece_edge = 0.5;
+
+/// Area of one rhombus that falls to cells.
+struct RhombusShares {
+    std::vector<std::pair<int, double>> areas;  ///< cell and area [m^2]; a cell may come repeatedly
+    double coarse_area = 0.0;                   ///< with too few cells across the kernel [m^2]
+    std::optional<SheetPiece> lost_piece;       ///< one without a cell, if any
+};
+
+RhombusShares share_out(const BraidSurface& surface, std::size_t rhombus,
+                        const SearchableMesh& mesh, const FoamDepositOptions& options,
+                        Visited& visited)
+{
+    RhombusShares result;
+    const double edge = piece_edge * finest_size(surface, rhombus, mesh);
+    for (const SheetPiece& piece : cut_into_pieces(surface, rhombus, edge)) {
+        const int start = mesh.search.nearest(piece.position);
+        const Kernel kernel{piece.position, surface.normals[rhombus], mesh.local_size(start),
+                            options};
+        const std::vector<Share> shares = spread(mesh, kernel, start, visited);
+        if (shares.empty()) {
+            result.lost_piece = piece;
+            return result;
+        }
+        double largest_volume = 0.0;
+        for (const Share& share : shares) {
+            result.areas.emplace_back(share.cell, share.fraction * piece.area);
+            largest_volume = std::max(largest_volume, mesh.volume(share.cell));
+        }
+        const double cells_across =
+            2.0 * options.kernel_half_width * kernel.size / std::cbrt(largest_volume);
+        if (cells_across < 4.0) result.coarse_area += piece.area;
+    }
+    return result;
+}
+
+/// Lists what the cells collected.
+void add_cells(CellResistance& result, const std::vector<Collected>& collected,
+               const FoamMesh& mesh)
+{
+    for (std::size_t cell = 0; cell < collected.size(); ++cell) {
+        const Collected& sum = collected[cell];
+        const double volume = mesh.cell_volumes[cell];
+        if (sum.area > 0.0) {
+            result.metal.cells.push_back(static_cast<int>(cell));
+            result.metal.void_fraction.push_back(1.0 - sum.metal / volume);
+            result.metal.surface_density.push_back(sum.area / volume);
+        }
+        if (sum.normal.norm() > 0.0) {
+            result.cells.push_back(static_cast<int>(cell));
+            result.darcy.push_back(sum.darcy / volume);
+            result.forchheimer.push_back(sum.forchheimer / volume);
+            result.normal.push_back(sum.normal.normalized());
+        }
+    }
 }
 
 }  // namespace
@@ -141,47 +215,37 @@ CellResistance deposit(const ResistanceSheet& sheet, const FoamMesh& mesh,
     result.tangential_ratio = sheet.tangential_ratio;
 
     const SearchableMesh searchable(mesh);
-    const double finest = finest_size(sheet, searchable);
-    if (!std::isfinite(finest)) return result;
-
+    const BraidSurface& surface = sheet.surface;
     std::vector<Collected> collected(mesh.cell_volumes.size());
-    std::vector<int> visited(mesh.cell_volumes.size(), -1);
+    tbb::enumerable_thread_specific<Visited> visited(
+        Visited{std::vector<int>(mesh.cell_volumes.size(), 0), 0});
     double area = 0.0, coarse_area = 0.0;
-    const std::vector<SheetPiece> pieces = cut_into_pieces(sheet.surface, 0.5 * finest);
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const SheetPiece& piece = pieces[i];
-        const auto rhombus = static_cast<std::size_t>(piece.rhombus);
-        if (!(sheet.acting[rhombus] > 0.0)) continue;
-
-        const int start = searchable.search.nearest(piece.position);
-        const Kernel kernel{piece.position, sheet.surface.normals[rhombus],
-                            searchable.local_size(start), options};
-        const auto shares = spread(searchable, kernel, start, visited, static_cast<int>(i));
-        if (shares.empty()) refuse(piece, searchable, start);
-
-        const double darcy = sheet_darcy(sheet, piece.rhombus) * piece.area;
-        const double forchheimer = sheet_forchheimer(sheet, piece.rhombus) * piece.area;
-        const Vec3 vector_area = sheet.acting[rhombus] * piece.area * kernel.normal;
-        double largest_volume = 0.0;
-        for (const Share& share : shares) {
-            collected[static_cast<std::size_t>(share.cell)].add(
-                share.fraction * darcy, share.fraction * forchheimer, share.fraction * vector_area);
-            largest_volume = std::max(largest_volume, searchable.volume(share.cell));
+    std::vector<RhombusShares> batch;
+    for (std::size_t first = 0; first < surface.rhombi.size(); first += batch_size) {
+        batch.assign(std::min(batch_size, surface.rhombi.size() - first), {});
+        tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
+            batch[i] = share_out(surface, first + i, searchable, options, visited.local());
+        });
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+            const std::size_t rhombus = first + i;
+            if (batch[i].lost_piece) refuse(*batch[i].lost_piece, searchable);
+            const double metal_per_area =
+                metal_volume(surface, rhombus) / surface.rhombi[rhombus].area;
+            const double darcy = sheet_darcy(sheet, static_cast<int>(rhombus));
+            const double forchheimer = sheet_forchheimer(sheet, static_cast<int>(rhombus));
+            const Vec3 acting_normal = sheet.acting[rhombus] * surface.normals[rhombus];
+            for (const auto& [cell, share] : batch[i].areas) {
+                Collected& sum = collected[static_cast<std::size_t>(cell)];
+                sum.area += share;
+                sum.metal += share * metal_per_area;
+                sum.add(share * darcy, share * forchheimer, share * acting_normal);
+            }
+            if (!(sheet.acting[rhombus] > 0.0)) continue;
+            area += surface.rhombi[rhombus].area;
+            coarse_area += batch[i].coarse_area;
         }
-        const double cells_across =
-            2.0 * options.kernel_half_width * kernel.size / std::cbrt(largest_volume);
-        area += piece.area;
-        if (cells_across < 4.0) coarse_area += piece.area;
     }
-
-    for (std::size_t cell = 0; cell < collected.size(); ++cell) {
-        const Collected& sum = collected[cell];
-        if (!(sum.normal.norm() > 0.0)) continue;
-        result.cells.push_back(static_cast<int>(cell));
-        result.darcy.push_back(sum.darcy / mesh.cell_volumes[cell]);
-        result.forchheimer.push_back(sum.forchheimer / mesh.cell_volumes[cell]);
-        result.normal.push_back(sum.normal.normalized());
-    }
+    add_cells(result, collected, mesh);
     if (coarse_area > 0.05 * area)
         result.warnings.push_back(
             fmt::format("the mesh has fewer than 4 cells across the kernel over {:.3g} % of the "

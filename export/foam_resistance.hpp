@@ -8,13 +8,21 @@
 
 namespace braidzone {
 
+/// The device's metal in the cells of a mesh, whether it resists there or lies on the wall.
+struct CellMetal {
+    std::vector<int> cells;               ///< increasing
+    std::vector<double> void_fraction;    ///< 1 - metal volume / cell volume [-]
+    std::vector<double> surface_density;  ///< device area per volume [1/m]
+};
+
 /// Resistance on the cells of a mesh; cells that the device does not touch are left out.
 struct CellResistance {
     std::vector<int> cells;           ///< increasing
     std::vector<double> darcy;        ///< D along the normal [1/m^2]
     std::vector<double> forchheimer;  ///< F along the normal [1/m]
     std::vector<Vec3> normal;         ///< unit
-    double tangential_ratio = 1.0;    ///< tangential over normal, D and F alike
+    TangentialRatio tangential_ratio;
+    CellMetal metal;
     std::vector<std::string> warnings;
 };
 
@@ -28,7 +36,8 @@ struct FoamDepositOptions {
 
 /// Deposits the sheet's resistance onto a polyhedral mesh.
 ///
-/// The sheet is cut into pieces no longer than half the smallest local cell size. A piece of area
+/// Each rhombus is cut into pieces no longer than half the smallest local cell size around it. A
+/// piece of area
 /// dS with normal n gives to the cell with centre x and volume V, at r from the piece,
 ///
 ///     V dD = D_s dS W V / sum(W V),   W = phi(r.n / h; m_n) phi(|r - (r.n) n| / h; m_t)
@@ -36,13 +45,15 @@ struct FoamDepositOptions {
 /// where D_s is the sheet's Darcy coefficient integrated along the normal, phi the cosine kernel
 /// and the sum runs over the cells that the kernel reaches through faces from the nearest one: a
 /// lumen on the other side of a thin wall gets nothing. So the sum of D V over the cells is the
-/// integral of D_s over the sheet to round-off, also where the wall cuts the kernel off. F alike.
+/// integral of D_s over the sheet to round-off, also where the wall cuts the kernel off. F, the
+/// area and the metal volume alike, the latter two for the whole device. The result does not depend
+/// on the number of threads.
 ///
 /// A stock solver's collocated scheme under-predicts the pressure drop of a thin layer. For a flat
 /// sheet with dp = 10 times the dynamic pressure: 2.3 % for six cells across (m_n = 3), 1.1 % for
 /// eight.
 ///
-/// @throws GeometryError if a piece of the acting sheet has no cell within the kernel: the mesh
+/// @throws GeometryError if a piece has no cell within the kernel: the mesh
 /// does
 ///         not hold the device (another position or unit?)
 CellResistance deposit(const ResistanceSheet& sheet, const FoamMesh& mesh,

@@ -143,7 +143,7 @@ moved. OpenFOAM itself needs no plug-in and nothing compiled.
 | `constant/fvOptions` | the resistance: a Darcy-Forchheimer source for each cell zone FD_0000, ... |
 | `constant/fvModels` | the same text under openfoam.org's name |
 | `constant/polyMesh/cellZones` | the zones; `sac`: the cells that the device closes off |
-| `0/fdDarcy`, `fdForchheimer`, `fdNormal`, `fdZone` | the resistance in the cells, to look at |
+| `0/fdDarcy`, `fdForchheimer`, `fdNormal`, `fdVoidFraction`, `fdSurfaceDensity`, `fdZone` | the device in the cells, to look at |
 | `fd_export.json` | units, zones, and the sum over cells against the integral over the device |
 | `postProcessing/sacSpeed` | mean speed in the sac [m/s] at every iteration |
 | `postProcessing/inletPressure` | mean kinematic pressure at the inlet [m^2/s^2] |

@@ -31,7 +31,7 @@ std::vector<WeightedFeature> make_features(const CellResistance& resistance, con
     const bool is_darcy = std::any_of(resistance.darcy.begin(), resistance.darcy.end(),
                                       [](double darcy) { return darcy > 0.0; });
     const auto& strength = is_darcy ? resistance.darcy : resistance.forchheimer;
-    const double ratio = resistance.tangential_ratio;
+    const double ratio = resistance.tangential_ratio.linear;
     const double anisotropy = std::abs(1.0 - ratio) / std::max(1.0, ratio);
 
     std::vector<WeightedFeature> features(resistance.cells.size());
@@ -166,7 +166,7 @@ double resistance_integral(const std::vector<FoamZone>& zones)
     return sum;
 }
 
-std::string porous_sources(const std::vector<FoamZone>& zones, double tangential_ratio,
+std::string porous_sources(const std::vector<FoamZone>& zones, const TangentialRatio& ratio,
                            const std::string& object)
 {
     std::string text = foam_header("dictionary", "constant", object);
@@ -177,8 +177,8 @@ std::string porous_sources(const std::vector<FoamZone>& zones, double tangential
     auto out = std::back_inserter(text);
     for (std::size_t i = 0; i < zones.size(); ++i) {
         const FoamZone& zone = zones[i];
-        const Vec3 d = zone.darcy * Vec3(1.0, tangential_ratio, tangential_ratio);
-        const Vec3 f = zone.forchheimer * Vec3(1.0, tangential_ratio, tangential_ratio);
+        const Vec3 d = zone.darcy * Vec3(1.0, ratio.linear, ratio.linear);
+        const Vec3 f = zone.forchheimer * Vec3(1.0, ratio.quadratic, ratio.quadratic);
         fmt::format_to(out, R"(
 {name}
 {{
@@ -213,7 +213,7 @@ std::string porous_sources(const std::vector<FoamZone>& zones, double tangential
 }
 
 void write_foam_zones(const std::filesystem::path& foam_case, const std::vector<FoamZone>& zones,
-                      double tangential_ratio)
+                      const TangentialRatio& ratio)
 {
     std::vector<FoamCellZone> cell_zones = read_cell_zones(foam_case);
     std::erase_if(cell_zones,
@@ -222,8 +222,7 @@ void write_foam_zones(const std::filesystem::path& foam_case, const std::vector<
         cell_zones.push_back({foam_zone_name(i), zones[i].cells});
     write_cell_zones(foam_case, cell_zones);
     for (const char* object : {"fvOptions", "fvModels"})
-        write_text_file(foam_case / "constant" / object,
-                        porous_sources(zones, tangential_ratio, object));
+        write_text_file(foam_case / "constant" / object, porous_sources(zones, ratio, object));
 }
 
 }  // namespace braidzone

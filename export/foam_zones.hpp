@@ -45,12 +45,12 @@ double resistance_integral(const std::vector<FoamZone>& zones);
 /// Text of constant/fvOptions: an `explicitPorositySource` with DarcyForchheimer for each zone; e1
 /// of its axes is the normal.
 ///
-///     S = -(mu D + 1/2 rho |U| F) U,   D = (D_n, r D_n, r D_n) along (e1, e2, e3)
+///     S = -(mu D + 1/2 rho |U| F) U,   D = (D_n, r D_n, r D_n) along (e1, e2, e3), F alike
 ///
 /// The same text is read by openfoam.com (v1912: run; later: by its source) and by openfoam.org (8
 /// to 14: by its source), there also as constant/fvModels.
 /// @param object  "fvOptions" or "fvModels"
-std::string porous_sources(const std::vector<FoamZone>& zones, double tangential_ratio,
+std::string porous_sources(const std::vector<FoamZone>& zones, const TangentialRatio& ratio,
                            const std::string& object);
 
 /// Writes the zones into constant/polyMesh/cellZones (those of the mesh are kept, FD_* of an
@@ -58,6 +58,6 @@ std::string porous_sources(const std::vector<FoamZone>& zones, double tangential
 /// a copy for openfoam.org's constant/fvModels.
 /// @throws IoError if a file cannot be read or written
 void write_foam_zones(const std::filesystem::path& foam_case, const std::vector<FoamZone>& zones,
-                      double tangential_ratio);
+                      const TangentialRatio& ratio);
 
 }  // namespace braidzone

@@ -1,11 +1,10 @@
-#include "core/error.hpp"
 #include "deploy/deployment_measures.hpp"
 #include "export/axis_ticks.hpp"
 #include "export/braid_cells.hpp"
+#include "export/canvas.hpp"
 #include "export/colour_map.hpp"
 #include "export/unrolled.hpp"
 
-#include <cairo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -69,13 +68,6 @@ struct Layout {
         return left + static_cast<double>(maps) * (map_width + panel_gap) + right;
     }
     double height() const { return top + map_height + bottom; }
-};
-
-struct DestroySurface {
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
-struct DestroyContext {
-    void operator()(cairo_t* context) const { cairo_destroy(context); }
 };
 
 template <typename Values>
@@ -142,28 +134,37 @@ Range colour_range(const std::vector<Tile>& tiles)
     return range;
 }
 
-enum class Align { left, centre, right };
+/// Circumference and length of the force-free device, which the maps span [m].
+struct Extent {
+    double circumference = 0.0;
+    double length = 0.0;
 
-/// Draws the maps on an image surface; pixels from the top left corner.
+    explicit Extent(const BraidLattice& lattice)
+        : circumference(2.0 * std::numbers::pi * lattice.nominal_radius),
+          length((lattice.num_rings - 1) * lattice.ring_spacing)
+    {
+    }
+};
+
+Layout make_layout(const Extent& extent)
+{
+    Layout layout;
+    layout.scale = std::min(Layout::largest_map_width / extent.circumference,
+                            Layout::largest_map_height / extent.length);
+    layout.map_width = layout.scale * extent.circumference;
+    layout.map_height = layout.scale * extent.length;
+    return layout;
+}
+
+/// Draws the maps side by side.
 class Painter {
 public:
-    Painter(const BraidLattice& lattice, std::size_t num_maps) : lattice_(lattice)
+    Painter(const BraidLattice& lattice, std::size_t num_maps)
+        : lattice_(lattice),
+          extent_(lattice),
+          layout_(make_layout(extent_)),
+          canvas_(layout_.width(num_maps), layout_.height())
     {
-        circumference_ = 2.0 * std::numbers::pi * lattice.nominal_radius;
-        length_ = (lattice.num_rings - 1) * lattice.ring_spacing;
-        layout_.scale = std::min(Layout::largest_map_width / circumference_,
-                                 Layout::largest_map_height / length_);
-        layout_.map_width = layout_.scale * circumference_;
-        layout_.map_height = layout_.scale * length_;
-        surface_.reset(cairo_image_surface_create(
-            CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(layout_.width(num_maps))),
-            static_cast<int>(std::lround(layout_.height()))));
-        context_.reset(cairo_create(surface_.get()));
-        set_colour({1.0, 1.0, 1.0});
-        cairo_paint(context_.get());
-        cairo_select_font_face(context_.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                               CAIRO_FONT_WEIGHT_NORMAL);
-        cairo_set_line_width(context_.get(), 1.5);
     }
 
     void draw_map(const Map& map, std::size_t place)
@@ -187,65 +188,23 @@ public:
         }
     }
 
-    void save(const std::filesystem::path& path) const
-    {
-        cairo_surface_flush(surface_.get());
-        const cairo_status_t status =
-            cairo_surface_write_to_png(surface_.get(), path.string().c_str());
-        if (status != CAIRO_STATUS_SUCCESS) {
-            throw IoError(fmt::format("{}: cannot be written: {}", path.string(),
-                                      cairo_status_to_string(status)));
-        }
-    }
+    void save(const std::filesystem::path& path) const { canvas_.save(path); }
 
 private:
     /// As in the paper: the wall dark, the neck light.
     static Colour state_colour(bool in_contact) { return viridis(in_contact ? 0.15 : 1.0); }
 
-    void set_colour(const Colour& colour)
-    {
-        cairo_set_source_rgb(context_.get(), colour[0], colour[1], colour[2]);
-    }
-
-    void set_ink() { set_colour({0.13, 0.13, 0.13}); }
-
-    /// Text at a baseline point.
     void text(const std::string& content, double x, double y, Align align,
               double size = Layout::font_size)
     {
-        cairo_set_font_size(context_.get(), size);
-        cairo_text_extents_t extents;
-        cairo_text_extents(context_.get(), content.c_str(), &extents);
-        const double shift = align == Align::left     ? 0.0
-                             : align == Align::centre ? 0.5 * extents.x_advance
-                                                      : extents.x_advance;
-        set_ink();
-        cairo_move_to(context_.get(), x - shift, y);
-        cairo_show_text(context_.get(), content.c_str());
+        canvas_.text(content, {x, y}, align, size);
     }
 
-    void line(double x0, double y0, double x1, double y1)
-    {
-        set_ink();
-        cairo_move_to(context_.get(), x0, y0);
-        cairo_line_to(context_.get(), x1, y1);
-        cairo_stroke(context_.get());
-    }
+    void line(double x0, double y0, double x1, double y1) { canvas_.line({x0, y0}, {x1, y1}); }
 
-    void trace_polygon(const std::vector<Vec2>& corners)
+    PictureBox map_box(double left) const
     {
-        // Text leaves a point behind from which the path would go on.
-        cairo_new_path(context_.get());
-        for (const Vec2& corner : corners)
-            cairo_line_to(context_.get(), corner[0], corner[1]);
-        cairo_close_path(context_.get());
-    }
-
-    void fill_polygon(const std::vector<Vec2>& corners, const Colour& colour)
-    {
-        set_colour(colour);
-        trace_polygon(corners);
-        cairo_fill(context_.get());
+        return {left, Layout::top, layout_.map_width, layout_.map_height};
     }
 
     double bottom_edge() const { return Layout::top + layout_.map_height; }
@@ -253,38 +212,33 @@ private:
     template <typename ColourOf>
     void draw_tiles(const std::vector<Tile>& tiles, double left, const ColourOf& colour_of)
     {
-        cairo_save(context_.get());
-        cairo_rectangle(context_.get(), left, Layout::top, layout_.map_width, layout_.map_height);
-        cairo_clip(context_.get());
-        // Smoothed edges of tiles side by side would let the background shine through.
-        cairo_set_antialias(context_.get(), CAIRO_ANTIALIAS_NONE);
+        canvas_.begin_tiles(map_box(left));
         const double half_width = layout_.scale * lattice_.arm_width;
         const double half_height = layout_.scale * lattice_.ring_spacing;
         for (const Tile& tile : tiles) {
             const double y = bottom_edge() - layout_.scale * tile.centre[1];
             // A tile across the cut appears on both sides.
             for (const double turn : {-1.0, 0.0, 1.0}) {
-                const double around = tile.centre[0] + turn * circumference_;
-                if (around < -lattice_.arm_width || around > circumference_ + lattice_.arm_width) {
+                const double around = tile.centre[0] + turn * extent_.circumference;
+                if (around < -lattice_.arm_width ||
+                    around > extent_.circumference + lattice_.arm_width) {
                     continue;
                 }
                 const double x = left + layout_.scale * around;
-                fill_polygon({{x, y + half_height},
+                canvas_.fill({{x, y + half_height},
                               {x + half_width, y},
                               {x, y - half_height},
                               {x - half_width, y}},
                              colour_of(tile.value));
             }
         }
-        cairo_restore(context_.get());
+        canvas_.end_tiles();
     }
 
     void draw_frame(double left, bool with_vertical_labels)
     {
-        set_ink();
-        cairo_rectangle(context_.get(), left, Layout::top, layout_.map_width, layout_.map_height);
-        cairo_stroke(context_.get());
-        for (const Tick& tick : axis_ticks(0.0, circumference_ / millimetre, 6)) {
+        canvas_.frame(map_box(left));
+        for (const Tick& tick : axis_ticks(0.0, extent_.circumference / millimetre, 6)) {
             const double x = left + layout_.scale * tick.value * millimetre;
             line(x, bottom_edge(), x, bottom_edge() + Layout::tick_length);
             text(tick.label, x,
@@ -292,7 +246,7 @@ private:
                  Align::centre);
         }
         text("around [mm]", left + 0.5 * layout_.map_width, bottom_edge() + 62.0, Align::centre);
-        for (const Tick& tick : axis_ticks(0.0, length_ / millimetre, 9)) {
+        for (const Tick& tick : axis_ticks(0.0, extent_.length / millimetre, 9)) {
             const double y = bottom_edge() - layout_.scale * tick.value * millimetre;
             line(left - Layout::tick_length, y, left, y);
             if (with_vertical_labels) {
@@ -305,22 +259,18 @@ private:
 
     void draw_vertical_title(double left)
     {
-        cairo_save(context_.get());
-        cairo_translate(context_.get(), left - 62.0, Layout::top + 0.5 * layout_.map_height);
-        cairo_rotate(context_.get(), -0.5 * std::numbers::pi);
-        text("along the force-free device, from its distal end [mm]", 0.0, 0.0, Align::centre);
-        cairo_restore(context_.get());
+        canvas_.text("along the force-free device, from its distal end [mm]",
+                     {left - 62.0, Layout::top + 0.5 * layout_.map_height}, Align::centre,
+                     Layout::font_size, -0.5 * std::numbers::pi);
     }
 
     void draw_states(double left)
     {
         double y = Layout::top;
         for (const bool in_contact : {false, true}) {
-            set_colour(state_colour(in_contact));
-            cairo_rectangle(context_.get(), left, y, Layout::bar_width, Layout::bar_width);
-            cairo_fill_preserve(context_.get());
-            set_ink();
-            cairo_stroke(context_.get());
+            const PictureBox box{left, y, Layout::bar_width, Layout::bar_width};
+            canvas_.fill(box, state_colour(in_contact));
+            canvas_.frame(box);
             text(in_contact ? "contact" : "free", left + Layout::bar_width + 10.0,
                  y + 0.5 * Layout::bar_width + 0.35 * Layout::font_size, Align::left);
             y += 1.6 * Layout::bar_width;
@@ -334,33 +284,28 @@ private:
         const double tip = Layout::bar_width;
         const double top = Layout::top + tip, bottom = bottom_edge() - tip;
         const double middle = 0.5 * (left + right);
-        cairo_save(context_.get());
-        cairo_set_antialias(context_.get(), CAIRO_ANTIALIAS_NONE);
+        canvas_.begin_tiles({left, top, Layout::bar_width, bottom - top});
         const int num_bands = static_cast<int>(bottom - top);
         for (int band = 0; band < num_bands; ++band) {
             const double y0 = bottom + (top - bottom) * band / num_bands;
             const double y1 = bottom + (top - bottom) * (band + 1) / num_bands;
-            fill_polygon({{left, y0}, {right, y0}, {right, y1}, {left, y1}},
+            canvas_.fill({{left, y0}, {right, y0}, {right, y1}, {left, y1}},
                          viridis((band + 0.5) / num_bands));
         }
-        cairo_restore(context_.get());
+        canvas_.end_tiles();
         std::vector<Vec2> outline{{left, bottom}};
         if (range.clips_below) {
-            fill_polygon({{left, bottom}, {right, bottom}, {middle, bottom + tip}}, viridis(0.0));
+            canvas_.fill({{left, bottom}, {right, bottom}, {middle, bottom + tip}}, viridis(0.0));
             outline.emplace_back(middle, bottom + tip);
         }
         outline.emplace_back(right, bottom);
         outline.emplace_back(right, top);
         if (range.clips_above) {
-            fill_polygon({{left, top}, {right, top}, {middle, top - tip}}, viridis(1.0));
+            canvas_.fill({{left, top}, {right, top}, {middle, top - tip}}, viridis(1.0));
             outline.emplace_back(middle, top - tip);
         }
         outline.emplace_back(left, top);
-        set_ink();
-        for (const Vec2& corner : outline)
-            cairo_line_to(context_.get(), corner[0], corner[1]);
-        cairo_close_path(context_.get());
-        cairo_stroke(context_.get());
+        canvas_.outline(outline);
 
         for (const Tick& tick : axis_ticks(range.lower, range.upper, 8)) {
             const double y =
@@ -373,11 +318,9 @@ private:
     }
 
     const BraidLattice& lattice_;
-    double circumference_ = 0.0;  // [m]
-    double length_ = 0.0;         // [m]
+    Extent extent_;
     Layout layout_;
-    std::unique_ptr<cairo_surface_t, DestroySurface> surface_;
-    std::unique_ptr<cairo_t, DestroyContext> context_;
+    Canvas canvas_;
 };
 
 }  // namespace

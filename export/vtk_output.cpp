@@ -92,11 +92,16 @@ void add_units(vtkDataObject& data, const LengthUnit& length_unit,
 
 void write_vtk_xml(const std::filesystem::path& path, vtkXMLWriter& writer, vtkDataObject& data)
 {
+    writer.SetInputDataObject(&data);
+    write_vtk_xml(path, writer);
+}
+
+void write_vtk_xml(const std::filesystem::path& path, vtkXMLWriter& writer)
+{
     writer.SetCompressorTypeToZLib();
     writer.SetCompressionLevel(compression_level);
     writer.SetDataModeToAppended();
     writer.EncodeAppendedDataOff();
-    writer.SetInputDataObject(&data);
     // Through a string, because the writer tells of a failing file on stderr only.
     writer.WriteToOutputStringOn();
     writer.Write();

@@ -39,4 +39,7 @@ void add_units(vtkDataObject& data, const LengthUnit& length_unit,
 /// @throws IoError if the file cannot be written
 void write_vtk_xml(const std::filesystem::path& path, vtkXMLWriter& writer, vtkDataObject& data);
 
+/// The same for a writer whose input is set already.
+void write_vtk_xml(const std::filesystem::path& path, vtkXMLWriter& writer);
+
 }  // namespace braidzone

@@ -32,11 +32,6 @@ double lubrication_drag(double solidity)
     return 9.0 * pi / (2.0 * std::numbers::sqrt2) * std::pow(1.0 - solidity, -2.5);
 }
 
-double mean_solidity(const Rhombus& rhombus)
-{
-    return 0.5 * (rhombus.solidity_a + rhombus.solidity_b);
-}
-
 }  // namespace
 
 double row_drag(double solidity)
@@ -73,6 +68,24 @@ double braid_stokes_linear(const Rhombus& rhombus, double viscosity)
 double braid_stokes_quadratic(const Rhombus& rhombus, double density)
 {
     return 0.5 * density * (0.285 + 1.78 * mean_solidity(rhombus));
+}
+
+SheetLoss sheet_loss(const BraidStokesLaw& law, const Rhombus& rhombus, const Fluid& fluid)
+{
+    require_pores(rhombus, BraidStokesLaw::name);
+    return {braid_stokes_linear(rhombus, fluid.viscosity),
+            law.inertia ? braid_stokes_quadratic(rhombus, fluid.density) : 0.0};
+}
+
+std::vector<RangeCheck> range_checks(const BraidStokesLaw& /*law*/, const Rhombus& rhombus,
+                                     const Fluid& fluid)
+{
+    const double reynolds = fluid.density * neck_velocity * rhombus.wire_diameter / fluid.viscosity;
+    constexpr double lowest = 0.10, highest = 0.40;
+    const double sparsest = std::min(rhombus.solidity_a, rhombus.solidity_b);
+    return {{"solidity (wire diameter over spacing)",
+             sparsest < lowest ? sparsest : densest_solidity(rhombus), lowest, highest},
+            {"Reynolds number of the wire at 0.05 m/s", reynolds, 0.0, 4.0}};
 }
 
 }  // namespace braidzone

@@ -92,7 +92,6 @@ BraidSurface make_braid_surface(const std::vector<Vec3>& points,
     BraidSurface surface;
     surface.points = points;
     surface.corners = corners;
-    surface.wire_diameter.assign(corners.size(), wire_diameter);
     const std::size_t num_rhombi = corners.size();
     surface.rhombi.reserve(num_rhombi);
     surface.centres.reserve(num_rhombi);
@@ -151,7 +150,6 @@ BraidSurface joined(const BraidSurface& first, const BraidSurface& second)
     append(both.contact_pressure, second.contact_pressure);
     append(both.wall_distance, second.wall_distance);
     append(both.wire_length, second.wire_length);
-    append(both.wire_diameter, second.wire_diameter);
     return both;
 }
 
@@ -211,7 +209,7 @@ BraidMeasures measure(const BraidSurface& surface, const std::vector<NeckPart>& 
 
 double metal_volume(const BraidSurface& surface, std::size_t rhombus)
 {
-    const double diameter = surface.wire_diameter[rhombus];
+    const double diameter = surface.rhombi[rhombus].wire_diameter;
     const double cross_section = 0.25 * std::numbers::pi * diameter * diameter;
     return cross_section * surface.wire_length[rhombus];
 }

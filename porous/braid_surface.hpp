@@ -24,7 +24,6 @@ struct BraidSurface {
     /// of an arm at the sheet's edge. They sum to the length of all wires, whereas the sum of
     /// `Rhombus::wire_length` lacks the outer halves of the arms at the edge.
     std::vector<double> wire_length;
-    std::vector<double> wire_diameter;  ///< [m]
 };
 
 /// Two surfaces as one, the first one's entries before the second one's.

@@ -10,35 +10,53 @@
 
 namespace braidzone {
 
-std::vector<SheetPiece> cut_into_pieces(const BraidSurface& surface, double longest_edge)
+namespace {
+
+void require_positive_edge(double longest_edge)
 {
-    if (!(longest_edge > 0.0)) {
-        throw InputError(fmt::format("pieces of the sheet with edges of {:.6g} m: must be positive",
-                                     longest_edge));
-    }
+    if (longest_edge > 0.0) return;
+    throw InputError(
+        fmt::format("pieces of the sheet with edges of {:.6g} m: must be positive", longest_edge));
+}
+
+}  // namespace
+
+std::vector<SheetPiece> cut_into_pieces(const BraidSurface& surface, std::size_t rhombus,
+                                        double longest_edge)
+{
+    require_positive_edge(longest_edge);
+    const auto corner = [&](std::size_t i) -> const Vec3& {
+        return surface.points[static_cast<std::size_t>(surface.corners[rhombus][i])];
+    };
+    double longest_side = 0.0;
+    for (std::size_t i = 0; i < 4; ++i)
+        longest_side = std::max(longest_side, (corner((i + 1) % 4) - corner(i)).norm());
+    const int m = std::max(1, static_cast<int>(std::ceil(longest_side / longest_edge)));
+    const double area = surface.rhombi[rhombus].area / (static_cast<double>(m) * m);
     std::vector<SheetPiece> pieces;
-    for (std::size_t rhombus = 0; rhombus < surface.rhombi.size(); ++rhombus) {
-        const auto corner = [&](std::size_t i) -> const Vec3& {
-            return surface.points[static_cast<std::size_t>(surface.corners[rhombus][i])];
-        };
-        double longest_side = 0.0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            longest_side = std::max(longest_side, (corner((i + 1) % 4) - corner(i)).norm());
-        }
-        const int m = std::max(1, static_cast<int>(std::ceil(longest_side / longest_edge)));
-        const double area = surface.rhombi[rhombus].area / (static_cast<double>(m) * m);
-        for (int row = 0; row < m; ++row) {
-            for (int column = 0; column < m; ++column) {
-                const double u = (row + 0.5) / m;
-                const double v = (column + 0.5) / m;
-                const Vec3 near_side = (1.0 - u) * corner(0) + u * corner(1);
-                const Vec3 far_side = (1.0 - u) * corner(3) + u * corner(2);
-                pieces.push_back(
-                    {(1.0 - v) * near_side + v * far_side, static_cast<int>(rhombus), area});
-            }
+    pieces.reserve(static_cast<std::size_t>(m) * static_cast<std::size_t>(m));
+    for (int row = 0; row < m; ++row) {
+        for (int column = 0; column < m; ++column) {
+            const double u = (row + 0.5) / m;
+            const double v = (column + 0.5) / m;
+            const Vec3 near_side = (1.0 - u) * corner(0) + u * corner(1);
+            const Vec3 far_side = (1.0 - u) * corner(3) + u * corner(2);
+            pieces.push_back(
+                {(1.0 - v) * near_side + v * far_side, static_cast<int>(rhombus), area});
         }
     }
     return pieces;
+}
+
+std::vector<SheetPiece> cut_into_pieces(const BraidSurface& surface, double longest_edge)
+{
+    require_positive_edge(longest_edge);
+    std::vector<SheetPiece> all;
+    for (std::size_t rhombus = 0; rhombus < surface.rhombi.size(); ++rhombus) {
+        const std::vector<SheetPiece> pieces = cut_into_pieces(surface, rhombus, longest_edge);
+        all.insert(all.end(), pieces.begin(), pieces.end());
+    }
+    return all;
 }
 
 double cosine_kernel(double distance, double half_width)

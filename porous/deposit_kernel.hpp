@@ -13,9 +13,13 @@ struct SheetPiece {
     double area = 0.0;  ///< [m^2]; the pieces of a rhombus sum to its area
 };
 
-/// Cuts every rhombus into m x m pieces of equal area, with m the smallest number that makes their
+/// Cuts a rhombus into m x m pieces of equal area, with m the smallest number that makes their
 /// edges no longer than `longest_edge`.
 /// @param longest_edge  [m]; > 0
+std::vector<SheetPiece> cut_into_pieces(const BraidSurface& surface, std::size_t rhombus,
+                                        double longest_edge);
+
+/// Cuts every rhombus of a surface alike; the pieces are in the order of the rhombi.
 std::vector<SheetPiece> cut_into_pieces(const BraidSurface& surface, double longest_edge);
 
 /// One-dimensional cosine kernel phi(r) = (1 + cos(pi r / m)) / (2 m) for |r| < m, else 0

@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "porous/deposit_kernel.hpp"
-#include "porous/voxel_wall_distance.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -10,14 +9,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+#include <optional>
 
 namespace braidzone {
 
 namespace {
 
-/// More voxels than that hold neither in the memory of a workstation nor in a solver's.
-constexpr double most_voxels = 2e9;
+/// Beyond these the table of cubes, or the voxels around the device, fill a workstation's memory.
+constexpr double most_voxels = 1e11;
+constexpr double most_held_voxels = 1e9;
 /// Voxels around the kernel, so that the wall beside the device lies within the grid.
 constexpr int margin = 3;
 /// Longest edge of a piece of the sheet, over the spacing.
@@ -28,13 +30,13 @@ constexpr std::size_t batch_size = 2048;
 
 /// Area of a rhombus that falls to a voxel.
 struct Share {
-    std::int64_t voxel = 0;
+    int i = 0, j = 0, k = 0;
     double area = 0.0;  ///< [m^2]
 };
 
 struct RhombusShares {
     std::vector<Share> shares;
-    const SheetPiece* lost_piece = nullptr;  ///< one without a fluid voxel, if any
+    std::optional<SheetPiece> lost_piece;  ///< one without a fluid voxel, if any
 };
 
 /// What a voxel received: integrals over the sheet.
@@ -82,81 +84,136 @@ VoxelGrid make_grid(const BraidSurface& surface, const DepositOptions& options)
     return grid;
 }
 
-/// Index after the last piece of each rhombus; the pieces are in the order of the rhombi.
-std::vector<std::size_t> piece_ends(const std::vector<SheetPiece>& pieces, std::size_t num_rhombi)
-{
-    std::vector<std::size_t> ends(num_rhombi, 0);
-    for (const SheetPiece& piece : pieces)
-        ++ends[static_cast<std::size_t>(piece.rhombus)];
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    return ends;
-}
+/// A box of voxels around a rhombus that holds the kernels of all its pieces.
+struct VoxelBox {
+    std::array<int, 3> first{};
+    std::array<int, 3> size{};
 
-/// Kernel weights of a point along one axis: those of `weights.size()` voxels from `first` on.
-struct AxisWeights {
-    int first = 0;
-    std::vector<double> weights;
+    int index(int i, int j, int k) const
+    {
+        return i - first[0] + size[0] * (j - first[1] + size[1] * (k - first[2]));
+    }
+    std::size_t num_voxels() const { return static_cast<std::size_t>(size[0] * size[1] * size[2]); }
 };
 
-void evaluate_kernel(AxisWeights& axis, double position, int half_width)
+VoxelBox box_around(const BraidSurface& surface, std::size_t rhombus, const VoxelGrid& grid,
+                    int half_width)
 {
-    axis.first = static_cast<int>(std::floor(position)) - half_width + 1;
-    for (std::size_t i = 0; i < axis.weights.size(); ++i) {
-        axis.weights[i] = cosine_kernel(position - axis.first - static_cast<double>(i), half_width);
+    const auto corner = [&](std::size_t i) -> const Vec3& {
+        return surface.points[static_cast<std::size_t>(surface.corners[rhombus][i])];
+    };
+    Vec3 lower = corner(0), upper = lower;
+    for (std::size_t i = 1; i < 4; ++i) {
+        lower = lower.cwiseMin(corner(i));
+        upper = upper.cwiseMax(corner(i));
     }
-}
-
-/// Spreads the pieces of one rhombus over the fluid voxels around them.
-RhombusShares spread(const SheetPiece* first_piece, const SheetPiece* end_piece,
-                     const VoxelGrid& grid, const std::vector<CellType>& cell_type, int half_width)
-{
-    // A box of voxels that holds the kernels of all pieces.
-    Vec3 lower = first_piece->position, upper = lower;
-    for (const SheetPiece* piece = first_piece; piece != end_piece; ++piece) {
-        lower = lower.cwiseMin(piece->position);
-        upper = upper.cwiseMax(piece->position);
-    }
-    lower = (lower - grid.origin) / grid.spacing;
-    upper = (upper - grid.origin) / grid.spacing;
-    std::array<int, 3> box_first{}, box_size{};
+    // A piece in a plane of voxel centres must not fall out of the box by round-off.
+    const Vec3 slack = Vec3::Constant(1e-6);
+    lower = (lower - grid.origin) / grid.spacing - slack;
+    upper = (upper - grid.origin) / grid.spacing + slack;
+    VoxelBox box;
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
-        box_first[a] = static_cast<int>(std::floor(lower[axis])) - half_width + 1;
-        box_size[a] = static_cast<int>(std::floor(upper[axis])) + half_width + 1 - box_first[a];
+        box.first[a] = static_cast<int>(std::floor(lower[axis])) - half_width + 1;
+        box.size[a] = static_cast<int>(std::floor(upper[axis])) + half_width + 1 - box.first[a];
     }
-    const auto box_index = [&](int i, int j, int k) {
-        return static_cast<std::size_t>(
-            i - box_first[0] + box_size[0] * (j - box_first[1] + box_size[1] * (k - box_first[2])));
+    return box;
+}
+
+CubeMarks cubes_around(const BraidSurface& surface, const VoxelGrid& grid, int half_width)
+{
+    CubeMarks marks(grid);
+    for (std::size_t rhombus = 0; rhombus < surface.rhombi.size(); ++rhombus) {
+        const VoxelBox box = box_around(surface, rhombus, grid, half_width);
+        std::array<int, 3> last{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            last[axis] = box.first[axis] + box.size[axis] - 1;
+        marks.mark(box.first, last);
+    }
+    const double held =
+        static_cast<double>(VoxelCubes::volume) * static_cast<double>(marks.num_marked());
+    if (!(held <= most_held_voxels)) {
+        throw ConfigError(fmt::format(
+            "grid.spacing = {:.6g} mm gives {:.6g} voxels on the device; at most {:.6g} are "
+            "allowed",
+            1e3 * grid.spacing, held, most_held_voxels));
+    }
+    return marks;
+}
+
+/// Kernel weights of a point along one axis: those of 2 m voxels from `first` on. The cosine of
+/// each follows from the first one's by the sum of angles, which costs one evaluation instead of 2
+/// m.
+class AxisWeights {
+public:
+    explicit AxisWeights(int half_width)
+        : half_width_(half_width), values_(static_cast<std::size_t>(2 * half_width))
+    {
+        for (std::size_t i = 0; i < values_.size(); ++i) {
+            const double angle = std::numbers::pi * static_cast<double>(i) / half_width;
+            turns_.emplace_back(std::cos(angle), std::sin(angle));
+        }
+    }
+
+    /// @param position  in units of the spacing
+    void evaluate(double position)
+    {
+        first_ = static_cast<int>(std::floor(position)) - half_width_ + 1;
+        const double angle = std::numbers::pi * (position - first_) / half_width_;
+        const double cosine = std::cos(angle), sine = std::sin(angle);
+        for (std::size_t i = 0; i < values_.size(); ++i) {
+            const double turned = cosine * turns_[i][0] + sine * turns_[i][1];
+            values_[i] = std::max(0.0, (1.0 + turned) / (2.0 * half_width_));
+        }
+    }
+
+    int first() const { return first_; }
+    double operator[](int i) const { return values_[static_cast<std::size_t>(i)]; }
+
+private:
+    int half_width_;
+    int first_ = 0;
+    std::vector<Vec2> turns_;
+    std::vector<double> values_;
+};
+
+/// Spreads the pieces of one rhombus over the fluid voxels around them.
+RhombusShares spread(const BraidSurface& surface, std::size_t rhombus, const VoxelGrid& grid,
+                     const VoxelWallDistance& wall_distance, int half_width)
+{
+    const VoxelBox box = box_around(surface, rhombus, grid, half_width);
+    const auto for_each_voxel = [&](const auto& visit) {
+        for (int k = box.first[2]; k < box.first[2] + box.size[2]; ++k)
+            for (int j = box.first[1]; j < box.first[1] + box.size[1]; ++j)
+                for (int i = box.first[0]; i < box.first[0] + box.size[0]; ++i)
+                    visit(i, j, k);
     };
-    std::vector<double> area(static_cast<std::size_t>(box_size[0] * box_size[1] * box_size[2]),
-                             0.0);
+    std::vector<double> is_fluid, area(box.num_voxels(), 0.0);  // 1 in the lumen, 0 elsewhere
+    is_fluid.reserve(box.num_voxels());
+    for_each_voxel([&](int i, int j, int k) {
+        is_fluid.push_back(distance_at(wall_distance, i, j, k) < 0.0F ? 1.0 : 0.0);
+    });
 
     RhombusShares result;
     const int width = 2 * half_width;
-    std::array<AxisWeights, 3> kernel;
-    for (AxisWeights& axis : kernel)
-        axis.weights.resize(static_cast<std::size_t>(width));
-    std::vector<std::pair<std::size_t, double>> weights;
-    for (const SheetPiece* piece = first_piece; piece != end_piece; ++piece) {
-        const Vec3 position = (piece->position - grid.origin) / grid.spacing;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            evaluate_kernel(kernel[axis], position[static_cast<int>(axis)], half_width);
-        }
-        weights.clear();
+    AxisWeights along_x(half_width), along_y(half_width), along_z(half_width);
+    std::vector<double> weights(static_cast<std::size_t>(width * width * width));
+    for (const SheetPiece& piece : cut_into_pieces(surface, rhombus, piece_edge * grid.spacing)) {
+        const Vec3 position = (piece.position - grid.origin) / grid.spacing;
+        along_x.evaluate(position.x());
+        along_y.evaluate(position.y());
+        along_z.evaluate(position.z());
         double sum = 0.0;
+        double* weight = weights.data();
         for (int c = 0; c < width; ++c) {
             for (int b = 0; b < width; ++b) {
-                const int j = kernel[1].first + b, k = kernel[2].first + c;
-                const double plane_weight = kernel[1].weights[static_cast<std::size_t>(b)] *
-                                            kernel[2].weights[static_cast<std::size_t>(c)];
+                const double of_row = along_y[b] * along_z[c];
+                const double* fluid =
+                    is_fluid.data() +
+                    box.index(along_x.first(), along_y.first() + b, along_z.first() + c);
                 for (int a = 0; a < width; ++a) {
-                    const int i = kernel[0].first + a;
-                    const double weight =
-                        plane_weight * kernel[0].weights[static_cast<std::size_t>(a)];
-                    if (weight > 0.0 && cell_type[grid.index(i, j, k)] == CellType::fluid) {
-                        weights.emplace_back(box_index(i, j, k), weight);
-                        sum += weight;
-                    }
+                    *weight = of_row * along_x[a] * fluid[a];
+                    sum += *weight++;
                 }
             }
         }
@@ -164,21 +221,21 @@ RhombusShares spread(const SheetPiece* first_piece, const SheetPiece* end_piece,
             result.lost_piece = piece;
             return result;
         }
-        for (const auto& [voxel, weight] : weights)
-            area[voxel] += piece->area * weight / sum;
-    }
-
-    for (int k = box_first[2]; k < box_first[2] + box_size[2]; ++k) {
-        for (int j = box_first[1]; j < box_first[1] + box_size[1]; ++j) {
-            for (int i = box_first[0]; i < box_first[0] + box_size[0]; ++i) {
-                const double share = area[box_index(i, j, k)];
-                if (share > 0.0) {
-                    result.shares.push_back(
-                        {static_cast<std::int64_t>(grid.index(i, j, k)), share});
-                }
+        const double area_per_weight = piece.area / sum;
+        weight = weights.data();
+        for (int c = 0; c < width; ++c) {
+            for (int b = 0; b < width; ++b) {
+                double* row = area.data() +
+                              box.index(along_x.first(), along_y.first() + b, along_z.first() + c);
+                for (int a = 0; a < width; ++a)
+                    row[a] += area_per_weight * *weight++;
             }
         }
     }
+    for_each_voxel([&](int i, int j, int k) {
+        const double share = area[static_cast<std::size_t>(box.index(i, j, k))];
+        if (share > 0.0) result.shares.push_back({i, j, k, share});
+    });
     return result;
 }
 
@@ -192,41 +249,37 @@ RhombusShares spread(const SheetPiece* first_piece, const SheetPiece* end_piece,
         options.kernel_half_width, 1e3 * options.spacing));
 }
 
-/// Adds up what every voxel receives; voxels by increasing index.
+/// Adds up what every voxel receives; voxels cube by cube.
 std::vector<VoxelSums> sum_over_sheet(const ResistanceSheet& sheet, const VoxelGrid& grid,
-                                      const std::vector<CellType>& cell_type,
+                                      const VoxelWallDistance& wall_distance,
                                       const DepositOptions& options)
 {
     const BraidSurface& surface = sheet.surface;
-    const std::vector<SheetPiece> pieces = cut_into_pieces(surface, piece_edge * grid.spacing);
-    const std::vector<std::size_t> ends = piece_ends(pieces, surface.rhombi.size());
-
+    const VoxelCubes& cubes = wall_distance.cubes;
     constexpr std::int32_t untouched = -1;
-    std::vector<std::int32_t> slot_of_voxel(grid.num_voxels(), untouched);
+    std::vector<std::int32_t> place_of_voxel(cubes.num_held_voxels(), untouched);
     std::vector<VoxelSums> sums;
     std::vector<RhombusShares> batch;
     for (std::size_t first = 0; first < surface.rhombi.size(); first += batch_size) {
         batch.assign(std::min(batch_size, surface.rhombi.size() - first), {});
         tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
-            const std::size_t rhombus = first + i;
-            batch[i] =
-                spread(pieces.data() + (rhombus == 0 ? 0 : ends[rhombus - 1]),
-                       pieces.data() + ends[rhombus], grid, cell_type, options.kernel_half_width);
+            batch[i] = spread(surface, first + i, grid, wall_distance, options.kernel_half_width);
         });
         for (std::size_t i = 0; i < batch.size(); ++i) {
             const std::size_t rhombus = first + i;
-            if (batch[i].lost_piece != nullptr) report_lost_piece(*batch[i].lost_piece, options);
+            if (batch[i].lost_piece) report_lost_piece(*batch[i].lost_piece, options);
             const double metal_per_area =
                 metal_volume(surface, rhombus) / surface.rhombi[rhombus].area;
             const double darcy = sheet_darcy(sheet, static_cast<int>(rhombus));
             const double forchheimer = sheet_forchheimer(sheet, static_cast<int>(rhombus));
             for (const Share& share : batch[i].shares) {
-                std::int32_t& slot = slot_of_voxel[static_cast<std::size_t>(share.voxel)];
-                if (slot == untouched) {
-                    slot = static_cast<std::int32_t>(sums.size());
-                    sums.push_back({.voxel = share.voxel});
+                std::int32_t& place = place_of_voxel[held_place(cubes, share.i, share.j, share.k)];
+                if (place == untouched) {
+                    place = static_cast<std::int32_t>(sums.size());
+                    sums.push_back({.voxel = static_cast<std::int64_t>(
+                                        grid.index(share.i, share.j, share.k))});
                 }
-                VoxelSums& voxel = sums[static_cast<std::size_t>(slot)];
+                VoxelSums& voxel = sums[static_cast<std::size_t>(place)];
                 voxel.area += share.area;
                 voxel.metal += share.area * metal_per_area;
                 voxel.darcy += share.area * darcy;
@@ -235,9 +288,11 @@ std::vector<VoxelSums> sum_over_sheet(const ResistanceSheet& sheet, const VoxelG
             }
         }
     }
-    std::sort(sums.begin(), sums.end(),
-              [](const VoxelSums& a, const VoxelSums& b) { return a.voxel < b.voxel; });
-    return sums;
+    std::vector<VoxelSums> in_order;
+    in_order.reserve(sums.size());
+    for (const std::int32_t place : place_of_voxel)
+        if (place != untouched) in_order.push_back(sums[static_cast<std::size_t>(place)]);
+    return in_order;
 }
 
 }  // namespace
@@ -247,28 +302,75 @@ PorousField deposit(const ResistanceSheet& sheet, const Vessel& vessel,
 {
     PorousField field;
     field.grid = make_grid(sheet.surface, options);
-    field.wall_distance = voxel_wall_distance(field.grid, vessel);
-    field.cell_type.reserve(field.wall_distance.size());
-    for (const float distance : field.wall_distance) {
-        field.cell_type.push_back(distance < 0.0F ? CellType::fluid : CellType::outside);
-    }
+    field.tangential_ratio = sheet.tangential_ratio;
+    field.fluid = sheet.fluid;
+    field.wall_distance = voxel_wall_distance(
+        field.grid, vessel, cubes_around(sheet.surface, field.grid, options.kernel_half_width));
 
-    const std::vector<VoxelSums> sums = sum_over_sheet(sheet, field.grid, field.cell_type, options);
+    const std::vector<VoxelSums> sums =
+        sum_over_sheet(sheet, field.grid, field.wall_distance, options);
     const double voxel_volume = std::pow(field.grid.spacing, 3);
     for (const VoxelSums& voxel : sums) {
         field.voxels.push_back(voxel.voxel);
         field.void_fraction.push_back(1.0 - voxel.metal / voxel_volume);
         field.surface_density.push_back(voxel.area / voxel_volume);
         field.darcy_normal.push_back(voxel.darcy / voxel_volume);
-        field.darcy_tangential.push_back(sheet.tangential_ratio * voxel.darcy / voxel_volume);
         field.forchheimer_normal.push_back(voxel.forchheimer / voxel_volume);
         // Two sheets back to back cancel; Eigen leaves a zero vector as it is.
         field.normal.push_back(voxel.normal.normalized());
-        if (voxel.darcy > 0.0 || voxel.forchheimer > 0.0) {
-            field.cell_type[static_cast<std::size_t>(voxel.voxel)] = CellType::porous;
-        }
     }
     return field;
+}
+
+CellType cell_type(const PorousField& field, std::size_t touched)
+{
+    const bool resists =
+        field.darcy_normal[touched] > 0.0 || field.forchheimer_normal[touched] > 0.0;
+    return resists ? CellType::porous : CellType::fluid;
+}
+
+namespace {
+
+std::vector<double> scaled(const std::vector<double>& values, double factor)
+{
+    std::vector<double> result;
+    result.reserve(values.size());
+    for (const double value : values)
+        result.push_back(factor * value);
+    return result;
+}
+
+/// Values per volume over the device's area per volume.
+std::vector<double> per_area(const PorousField& field, const std::vector<double>& values,
+                             double factor)
+{
+    std::vector<double> result;
+    result.reserve(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        result.push_back(factor * values[i] / field.surface_density[i]);
+    return result;
+}
+
+}  // namespace
+
+std::vector<double> darcy_tangential(const PorousField& field)
+{
+    return scaled(field.darcy_normal, field.tangential_ratio.linear);
+}
+
+std::vector<double> forchheimer_tangential(const PorousField& field)
+{
+    return scaled(field.forchheimer_normal, field.tangential_ratio.quadratic);
+}
+
+std::vector<double> pressure_loss_linear(const PorousField& field)
+{
+    return per_area(field, field.darcy_normal, field.fluid.viscosity);
+}
+
+std::vector<double> pressure_loss_quadratic(const PorousField& field)
+{
+    return per_area(field, field.forchheimer_normal, 0.5 * field.fluid.density);
 }
 
 double resistance_integral(const PorousField& field)

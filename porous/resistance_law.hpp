@@ -1,6 +1,14 @@
 #pragma once
 
 #include "core/fluid.hpp"
+#include "porous/armour_cannon.hpp"
+#include "porous/braid_stokes.hpp"
+#include "porous/brundrett.hpp"
+#include "porous/constant_loss.hpp"
+#include "porous/ergun.hpp"
+#include "porous/gedeon_wood.hpp"
+#include "porous/idelchik.hpp"
+#include "porous/measured_loss.hpp"
 #include "porous/rhombus.hpp"
 
 #include <string>
@@ -9,36 +17,26 @@
 
 namespace braidzone {
 
-/// Pressure drop of normal flow through a sheet: dp = a v + b v |v|.
-struct SheetLoss {
-    double linear = 0.0;     ///< a [Pa s/m]
-    double quadratic = 0.0;  ///< b [Pa s^2/m^2]
-};
+/// A resistance law with its constants: each in a file of its own, with its source and its range.
+using ResistanceLaw = std::variant<BraidStokesLaw, BrundrettLaw, GedeonWoodLaw, ErgunLaw,
+                                   IdelchikLaw, ArmourCannonLaw, MeasuredLaw, ConstantLaw>;
 
-/// Recommended law: drags of two rows of cylinders, superposed, times a crossing factor; see
-/// `braid_stokes.hpp`.
-struct BraidStokesLaw {
-    bool inertia = true;  ///< with its quadratic part
-};
-
-/// The same given values for every rhombus.
-struct ConstantLaw {
-    SheetLoss loss;
-};
-
-/// A resistance law with its constants. Its name in the case file: `law_name`.
-using ResistanceLaw = std::variant<BraidStokesLaw, ConstantLaw>;
-
-/// "braid-stokes", "constant".
+/// Its name in the case file.
 std::string law_name(const ResistanceLaw& law);
 
+/// The names of all laws, the recommended one first.
+std::vector<std::string> law_names();
+
+/// The laws that need nothing but the braid and the fluid, with their defaults; the recommended one
+/// first.
+std::vector<ResistanceLaw> laws_without_data();
+
 /// The law's loss for one rhombus of the braid.
-/// @throws InputError for a jammed cell: solidity of a family 0.95 or more
-SheetLoss sheet_loss(const ResistanceLaw& law, const Rhombus& rhombus, double wire_diameter,
-                     const Fluid& fluid);
+/// @throws InputError for a jammed cell (`require_pores`), with any law but `constant`
+SheetLoss sheet_loss(const ResistanceLaw& law, const Rhombus& rhombus, const Fluid& fluid);
 
 /// Sentences about rhombi outside the law's range of validity; empty if there are none.
 std::vector<std::string> range_warnings(const ResistanceLaw& law,
-                                        const std::vector<Rhombus>& rhombi);
+                                        const std::vector<Rhombus>& rhombi, const Fluid& fluid);
 
 }  // namespace braidzone

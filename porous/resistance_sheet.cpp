@@ -40,13 +40,15 @@ ResistanceSheet make_resistance_sheet(const BraidSurface& surface, const Resista
     }
     ResistanceSheet sheet;
     sheet.surface = surface;
-    sheet.tangential_ratio = options.tangential_ratio;
+    sheet.tangential_ratio = {
+        options.tangential_ratio,
+        options.quadratic == QuadraticDrag::normal_only ? 0.0 : options.tangential_ratio};
     sheet.fluid = fluid;
     sheet.losses.reserve(surface.rhombi.size());
     sheet.acting.reserve(surface.rhombi.size());
     for (std::size_t rhombus = 0; rhombus < surface.rhombi.size(); ++rhombus) {
-        const double diameter = surface.wire_diameter[rhombus];
-        sheet.losses.push_back(sheet_loss(law, surface.rhombi[rhombus], diameter, fluid));
+        const double diameter = surface.rhombi[rhombus].wire_diameter;
+        sheet.losses.push_back(sheet_loss(law, surface.rhombi[rhombus], fluid));
         const bool everywhere = options.region == ResistanceRegion::whole_device;
         sheet.acting.push_back(everywhere ? 1.0
                                           : smooth_step(surface.wall_distance[rhombus],

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace braidzone {
 
@@ -24,5 +25,13 @@ struct VoxelGrid {
     }
     std::size_t num_voxels() const { return index(0, 0, dims[2]); }
 };
+
+/// The voxel (i, j, k) with that index.
+inline std::array<int, 3> place_of(const VoxelGrid& grid, std::int64_t index)
+{
+    const std::int64_t nx = grid.dims[0], ny = grid.dims[1];
+    return {static_cast<int>(index % nx), static_cast<int>(index / nx % ny),
+            static_cast<int>(index / (nx * ny))};
+}
 
 }  // namespace braidzone

@@ -3,6 +3,7 @@
 // Figures to reach: a 4x20 device of 48 wires in a vessel of 10,000 triangles in 0.25 s on one
 // core; the whole chain at 0.1 mm voxels in 2 s.
 
+#include "benchmark/measuring.hpp"
 #include "cli/pipeline.hpp"
 #include "cli/result_files.hpp"
 #include "core/wall_tree.hpp"
@@ -11,37 +12,12 @@
 #include "support/temporary_folder.hpp"
 
 #include <benchmark/benchmark.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <sys/resource.h>
 
 #include <cmath>
 #include <filesystem>
 
 namespace braidzone {
 namespace {
-
-std::filesystem::path shipped_case(const std::string& name)
-{
-    return std::filesystem::path(BRAIDZONE_SOURCE_DIR) / "cases" / name / "case.toml";
-}
-
-/// Limits the threads to the benchmark's argument; 0 means all.
-tbb::global_control thread_limit(const benchmark::State& state)
-{
-    const auto all = static_cast<std::size_t>(tbb::info::default_concurrency());
-    const auto asked = static_cast<std::size_t>(state.range(0));
-    return tbb::global_control(tbb::global_control::max_allowed_parallelism,
-                               asked == 0 ? all : asked);
-}
-
-/// Largest resident set of the process so far [MB]: the highest of this and earlier benchmarks.
-void report_memory(benchmark::State& state)
-{
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
 
 void deploy_in_case(benchmark::State& state, const std::string& name)
 {

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 namespace braidzone {
 namespace {
 
@@ -70,6 +73,7 @@ law = "constant"
 pressure_loss_linear = "490 Pa s/m"
 pressure_loss_quadratic = "330 kg/m^3"
 tangential_ratio = 1.5
+quadratic = "normal"
 region = "whole"
 [grid]
 spacing = "0.15 mm"
@@ -95,6 +99,7 @@ TEST(CaseFile, NeedsFewKeys)
     EXPECT_EQ(job.fluid.density, 1056.0);
     EXPECT_EQ(law_name(job.law), "braid-stokes");
     EXPECT_EQ(job.sheet.tangential_ratio, 1.0);
+    EXPECT_EQ(job.sheet.quadratic, QuadraticDrag::whole_velocity);
     EXPECT_EQ(job.deposit.spacing, 1e-4);
     EXPECT_TRUE(job.deployment.centre_rings);
     EXPECT_TRUE(job.exports.openfoam.has_value());
@@ -127,6 +132,7 @@ TEST(CaseFile, GivesEveryValueInSi)
     EXPECT_EQ(std::get<ConstantLaw>(job.law).loss.linear, 490.0);
     EXPECT_EQ(std::get<ConstantLaw>(job.law).loss.quadratic, 330.0);
     EXPECT_EQ(job.sheet.tangential_ratio, 1.5);
+    EXPECT_EQ(job.sheet.quadratic, QuadraticDrag::normal_only);
     EXPECT_EQ(job.sheet.region, ResistanceRegion::whole_device);
     EXPECT_DOUBLE_EQ(job.deposit.spacing, 0.15e-3);
     EXPECT_EQ(job.deposit.kernel_half_width, 3);
@@ -168,6 +174,35 @@ TEST(CaseFile, LetsOverridesWin)
                                {"device.diameter=4.5 mm", "grid.spacing=0.2 mm"});
     EXPECT_EQ(job.device.nominal_diameter, 4.5e-3);
     EXPECT_EQ(job.deposit.spacing, 2e-4);
+}
+
+TEST(CaseFile, TakesEveryLawByName)
+{
+    const test::TemporaryFolder folder;
+    folder.write("loss.csv",
+                 "metal_coverage,wire_spacing_um,velocity_mm_s,pressure_drop_Pa\n"
+                 "0.3,190,10,1.5\n0.3,190,50,7.9\n");
+    const std::map<std::string, std::string> keys{
+        {"measured",
+         "loss_table = \"loss.csv\"\nbench_density = \"998 kg/m^3\"\n"
+         "bench_viscosity = \"1 mPa s\"\n"},
+        {"constant", "pressure_loss_linear = \"490 Pa s/m\"\n"},
+        {"brundrett", "fit_velocity = \"50 mm/s\"\n"}};
+    for (const std::string& name : law_names()) {
+        const auto more = keys.find(name);
+        const std::string text = std::string(smallest) + "[porous]\nlaw = \"" + name + "\"\n" +
+                                 (more == keys.end() ? "" : more->second);
+        const Case job = read_case(folder.write("case.toml", text));
+        EXPECT_EQ(law_name(job.law), name);
+        const Case again = read_case(folder.write("again.toml", resolved_case_text(job)));
+        EXPECT_EQ(resolved_case(again).dump(2), resolved_case(job).dump(2)) << name;
+        if (const auto* brundrett = std::get_if<BrundrettLaw>(&job.law)) {
+            EXPECT_EQ(brundrett->fit_velocity, 0.05);
+        }
+        if (const auto* measured = std::get_if<MeasuredLaw>(&job.law)) {
+            EXPECT_EQ(measured->braids.size(), 1U);
+        }
+    }
 }
 
 TEST(ResolvedCase, ReadsBackAsTheSameCase)

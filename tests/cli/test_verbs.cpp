@@ -81,6 +81,27 @@ TEST_F(Verbs, PorousWritesTheFieldsToo)
     EXPECT_FALSE(summary()["quantities"]["resistance_integral_field"].is_null());
 }
 
+TEST_F(Verbs, PorousComparesTheLaws)
+{
+    run("porous", {"--compare-laws"});
+    EXPECT_TRUE(is_there("case.out/laws.png"));
+    const auto files = summary()["files"].get<Words>();
+    EXPECT_NE(std::find(files.begin(), files.end(), "laws.csv"), files.end());
+    std::istringstream table(text_of(folder_.path() / "case.out/laws.csv"));
+    std::string line;
+    std::getline(table, line);
+    EXPECT_EQ(line,
+              "law,a_Pa_s_per_m,b_Pa_s2_per_m2,drop_at_10_mm_s_Pa,drop_at_50_mm_s_Pa,"
+              "drop_at_100_mm_s_Pa,drop_at_200_mm_s_Pa,a_over_recommended,resistance_integral_m");
+    Words laws;
+    while (std::getline(table, line)) {
+        laws.push_back(line.substr(0, line.find(',')));
+        EXPECT_NE(out_.find("\n  " + laws.back() + " "), std::string::npos) << out_;
+    }
+    EXPECT_EQ(laws, (Words{"braid-stokes", "brundrett", "gedeon-wood", "ergun", "idelchik",
+                           "armour-cannon"}));
+}
+
 TEST_F(Verbs, RunWritesEverythingAndListsIt)
 {
     run("run");
@@ -147,7 +168,9 @@ TEST_F(Verbs, CheckPrintsWhatItFoundAndWritesNothing)
     for (const char* piece :
          {"2 openings", "0: diameter 3.69 mm at (26.00, ", "1: diameter 3.69 mm at (0.00, ",
           "from opening", "pipeline-flex 4 x 20 mm", "48 wires of 30 um",
-          "to 23 mm along the centerline", "million voxels"}) {
+          "to 23 mm along the centerline",
+          "resistance  braid-stokes, where the device is free of the wall; tangential ratio 1",
+          "million voxels"}) {
         EXPECT_NE(out_.find(piece), std::string::npos) << piece << " is not in\n" << out_;
     }
     EXPECT_FALSE(is_there("case.out"));

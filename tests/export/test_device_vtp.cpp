@@ -133,6 +133,17 @@ TEST_F(DeviceVtp, CellFieldsBelongToTheirRhombi)
         EXPECT_EQ(at_cell("surface_density_increase", i), surface.density_increase[i]);
         EXPECT_EQ(at_cell("pore_density", i), surface.rhombi[i].pore_density);
         EXPECT_EQ(at_cell("braid_angle", i), surface.rhombi[i].braid_angle);
+        EXPECT_EQ(at_cell("pore_area", i), surface.rhombi[i].pore_area);
+        EXPECT_EQ(at_cell("inscribed_diameter", i), surface.rhombi[i].inscribed_diameter);
+        EXPECT_EQ(at_cell("hydraulic_diameter", i), surface.rhombi[i].hydraulic_diameter);
+        EXPECT_EQ(at_cell("wire_spacing_a", i), surface.rhombi[i].spacing_a);
+        EXPECT_EQ(at_cell("wire_spacing_b", i), surface.rhombi[i].spacing_b);
+        EXPECT_EQ(at_cell("densest_solidity", i), densest_solidity(surface.rhombi[i]));
+        EXPECT_EQ(at_cell("wire_length_per_area", i), wire_length_per_area(surface.rhombi[i]));
+        EXPECT_EQ(at_cell("metal_volume_per_area", i), metal_volume_per_area(surface.rhombi[i]));
+        EXPECT_EQ(at_cell("crossing_angle", i), surface.rhombi[i].crossing_angle);
+        EXPECT_EQ(at_cell("jamming_angle", i), surface.rhombi[i].jamming_angle);
+        EXPECT_EQ(at_cell("resistance_acting", i), sheet.acting[i]);
         EXPECT_EQ(at_cell("pressure_loss_linear", i), sheet.losses[i].linear);
         EXPECT_EQ(at_cell("pressure_loss_quadratic", i), sheet.losses[i].quadratic);
         EXPECT_EQ(at_cell("contact_pressure", i), surface.contact_pressure[i]);

@@ -1,6 +1,8 @@
 #include "core/error.hpp"
 #include "export/field_vdb.hpp"
+#include "support/braids.hpp"
 #include "support/fields.hpp"
+#include "support/shapes.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -65,11 +67,17 @@ protected:
 
 TEST_F(FieldVdb, HoldsAllGridsWithTheirUnits)
 {
-    const std::pair<const char*, const char*> units[] = {
-        {"void_fraction", "1"},        {"surface_density", "1/m"},
-        {"darcy_normal", "1/m^2"},     {"darcy_tangential", "1/m^2"},
-        {"forchheimer_normal", "1/m"}, {"normal", "1"},
-        {"wall_distance", "m"},        {"cell_type", "1"}};
+    const std::pair<const char*, const char*> units[] = {{"void_fraction", "1"},
+                                                         {"surface_density", "1/m"},
+                                                         {"darcy_normal", "1/m^2"},
+                                                         {"darcy_tangential", "1/m^2"},
+                                                         {"forchheimer_normal", "1/m"},
+                                                         {"forchheimer_tangential", "1/m"},
+                                                         {"pressure_loss_linear", "Pa s/m"},
+                                                         {"pressure_loss_quadratic", "Pa s^2/m^2"},
+                                                         {"normal", "1"},
+                                                         {"wall_distance", "m"},
+                                                         {"cell_type", "1"}};
     ASSERT_EQ(grids.size(), std::size(units));
     for (const auto& [name, unit] : units) {
         const auto found = base_grid(name);
@@ -88,9 +96,9 @@ TEST_F(FieldVdb, EveryVoxelIsFoundAtItsPlace)
                 const Vec3 centre = field.grid.centre(i, j, k);
                 const std::size_t index = field.grid.index(i, j, k);
                 EXPECT_EQ(value_at<openvdb::FloatGrid>("wall_distance", centre),
-                          field.wall_distance[index]);
+                          distance_at(field.wall_distance, i, j, k));
                 EXPECT_EQ(value_at<openvdb::FloatGrid>("cell_type", centre),
-                          static_cast<float>(field.cell_type[index]));
+                          static_cast<float>(test::expected_cell_type(field, index)));
             }
         }
     }
@@ -107,8 +115,11 @@ TEST_F(FieldVdb, TouchedVoxelsHoldTheirValues)
         expect("void_fraction", field.void_fraction[i]);
         expect("surface_density", field.surface_density[i]);
         expect("darcy_normal", field.darcy_normal[i]);
-        expect("darcy_tangential", field.darcy_tangential[i]);
+        expect("darcy_tangential", 2.0 * field.darcy_normal[i]);
         expect("forchheimer_normal", field.forchheimer_normal[i]);
+        expect("forchheimer_tangential", 0.5 * field.forchheimer_normal[i]);
+        expect("pressure_loss_linear", pressure_loss_linear(field)[i]);
+        expect("pressure_loss_quadratic", pressure_loss_quadratic(field)[i]);
         const openvdb::Vec3s normal = value_at<openvdb::Vec3SGrid>("normal", places[i]);
         for (int c = 0; c < 3; ++c)
             EXPECT_FLOAT_EQ(normal[c], field.normal[i][c]);
@@ -118,6 +129,44 @@ TEST_F(FieldVdb, TouchedVoxelsHoldTheirValues)
     }
     EXPECT_EQ(value_at<openvdb::FloatGrid>("void_fraction", field.grid.origin), 1.0F);
     EXPECT_EQ(value_at<openvdb::FloatGrid>("darcy_normal", field.grid.origin), 0.0F);
+}
+
+/// A sheet of 4 mm across a tube of 8 mm, in voxels of 0.1 mm: cubes without wall and device exist.
+PorousField field_with_tiles()
+{
+    const BraidSurface surface = test::flat_braid(Vec3(-2e-3, -2e-3, 6e-3), Vec3(0.2e-3, 0, 0), 20,
+                                                  Vec3(0, 0.2e-3, 0.05e-3), 20, 33e-6);
+    const ResistanceSheet sheet = make_resistance_sheet(surface, BraidStokesLaw{}, Fluid{});
+    return deposit(sheet, test::tube_vessel(3.4e-3, 12e-3, 48, 24), {.spacing = 0.05e-3});
+}
+
+// Where neither wall nor device is, a leaf of the tree is one number with the right sign.
+TEST(FieldVdbTiles, HoldTheLumenBetweenWallAndDevice)
+{
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "field.vdb";
+    const PorousField field = field_with_tiles();
+    ASSERT_LT(field.wall_distance.cubes.held.size(), field.wall_distance.cubes.num_cubes());
+    write_field_vdb(path, field, millimetre);
+    openvdb::initialize();
+    openvdb::io::File file(path.string());
+    file.open();
+    const auto distance = openvdb::gridPtrCast<openvdb::FloatGrid>(file.readGrid("wall_distance"));
+    const auto type = openvdb::gridPtrCast<openvdb::FloatGrid>(file.readGrid("cell_type"));
+    const auto& [nx, ny, nz] = field.grid.dims;
+    std::size_t in_lumen = 0;
+    for (int k = 0; k < nz; ++k) {
+        for (int j = 0; j < ny; ++j) {
+            for (int i = 0; i < nx; ++i) {
+                const float expected = distance_at(field.wall_distance, i, j, k);
+                ASSERT_EQ(distance->tree().getValue({i, j, k}), expected);
+                ASSERT_EQ(type->tree().getValue({i, j, k}) > 0.0F, expected < 0.0F);
+                in_lumen += expected < 0.0F;
+            }
+        }
+    }
+    EXPECT_GT(in_lumen, 0U);
+    EXPECT_LT(distance->tree().leafCount(), field.wall_distance.cubes.num_cubes());
 }
 
 // As acceptance does it: active values times the voxel's volume.

@@ -72,8 +72,9 @@ TEST_F(FieldVti, EveryVoxelIsFoundAtItsPlace)
                 const vtkIdType cell = cell_at(field.grid.centre(i, j, k));
                 const std::size_t index = field.grid.index(i, j, k);
                 EXPECT_EQ(value("wall_distance", cell),
-                          static_cast<double>(field.wall_distance[index]));
-                EXPECT_EQ(value("cell_type", cell), static_cast<int>(field.cell_type[index]));
+                          static_cast<double>(distance_at(field.wall_distance, i, j, k)));
+                EXPECT_EQ(value("cell_type", cell),
+                          static_cast<int>(test::expected_cell_type(field, index)));
             }
         }
     }
@@ -87,8 +88,11 @@ TEST_F(FieldVti, TouchedVoxelsHoldTheirValues)
         EXPECT_FLOAT_EQ(value("void_fraction", cell), field.void_fraction[i]);
         EXPECT_FLOAT_EQ(value("surface_density", cell), field.surface_density[i]);
         EXPECT_FLOAT_EQ(value("darcy_normal", cell), field.darcy_normal[i]);
-        EXPECT_FLOAT_EQ(value("darcy_tangential", cell), field.darcy_tangential[i]);
+        EXPECT_FLOAT_EQ(value("darcy_tangential", cell), 2.0 * field.darcy_normal[i]);
         EXPECT_FLOAT_EQ(value("forchheimer_normal", cell), field.forchheimer_normal[i]);
+        EXPECT_FLOAT_EQ(value("forchheimer_tangential", cell), 0.5 * field.forchheimer_normal[i]);
+        EXPECT_FLOAT_EQ(value("pressure_loss_linear", cell), pressure_loss_linear(field)[i]);
+        EXPECT_FLOAT_EQ(value("pressure_loss_quadratic", cell), pressure_loss_quadratic(field)[i]);
         for (int c = 0; c < 3; ++c) {
             EXPECT_FLOAT_EQ(value("normal", cell, c), field.normal[i][c]);
         }

@@ -4,6 +4,7 @@
 #include "support/foam_box.hpp"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 #include <map>
@@ -99,6 +100,38 @@ TEST(FoamDeposit, SlantedSheetHasTheSameResistanceAlongItsNormal)
             sum += along_normal;
         }
     EXPECT_NEAR(sum / 36.0, 1.0, 0.005);
+}
+
+// Metal and area count for the whole device, also where it lies on the wall: 1 mm^2 with two
+// families of pi/4 (30 um)^2 wire every 0.1 mm, 1.4137e-5 m a m^2.
+TEST(FoamDeposit, KeepsAreaAndMetalOfTheWholeDevice)
+{
+    const FoamMesh mesh = test::foam_box({24, 24, 24}, cell);
+    auto sheet = flat_sheet(Vec3(1.21e-3, 1.17e-3, 1.23e-3), 1e-3, 0.3);
+    for (std::size_t i = 0; i < 50; ++i)
+        sheet.acting[i] = 0.0;
+    const CellMetal metal = deposit(sheet, mesh).metal;
+    double area = 0.0, volume = 0.0;
+    for (std::size_t i = 0; i < metal.cells.size(); ++i) {
+        const double cell_volume = mesh.cell_volumes[static_cast<std::size_t>(metal.cells[i])];
+        area += metal.surface_density[i] * cell_volume;
+        volume += (1.0 - metal.void_fraction[i]) * cell_volume;
+    }
+    EXPECT_NEAR(area / 1e-6, 1.0, 1e-12);
+    EXPECT_NEAR(volume / measure(sheet.surface).metal_volume, 1.0, 1e-11);
+}
+
+TEST(FoamDeposit, DoesNotDependOnTheNumberOfThreads)
+{
+    const FoamMesh mesh = test::foam_box({24, 24, 24}, cell);
+    const auto sheet = flat_sheet(Vec3(1.21e-3, 1.17e-3, 1.23e-3), 1e-3, 0.3);
+    const CellResistance many = deposit(sheet, mesh);
+    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    const CellResistance one = deposit(sheet, mesh);
+    EXPECT_EQ(one.cells, many.cells);
+    EXPECT_EQ(one.darcy, many.darcy);
+    EXPECT_EQ(one.normal, many.normal);
+    EXPECT_EQ(one.metal.void_fraction, many.metal.void_fraction);
 }
 
 TEST(FoamDeposit, NormalIsTheSheets)

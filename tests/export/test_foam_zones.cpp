@@ -29,7 +29,7 @@ std::string text_of(const std::filesystem::path& file)
 CellResistance varied_resistance(const FoamMesh& mesh, double tangential_ratio)
 {
     CellResistance resistance;
-    resistance.tangential_ratio = tangential_ratio;
+    resistance.tangential_ratio = {tangential_ratio, tangential_ratio};
     const int num_cells = mesh.num_cells();
     for (int i = 0; i < num_cells; ++i) {
         const double angle = 0.5 * std::numbers::pi * i / num_cells;
@@ -86,7 +86,7 @@ TEST(Cluster, OppositeNormalsAreOneDirection)
 {
     const FoamMesh mesh = test::foam_box({4, 1, 1}, 1e-4);
     CellResistance resistance;
-    resistance.tangential_ratio = 0.0;
+    resistance.tangential_ratio = {0.0, 0.0};
     resistance.cells = {0, 1, 2, 3};
     resistance.darcy = {1e8, 1e8, 1e8, 1e8};
     resistance.forchheimer = {0, 0, 0, 0};
@@ -123,10 +123,10 @@ TEST(PorousSources, StatesTensorAlongTheZonesAxes)
     zone.darcy = 4e8;
     zone.forchheimer = 5e3;
     zone.normal = Vec3::UnitZ();
-    const std::string text = porous_sources({zone}, 0.25, "fvOptions");
+    const std::string text = porous_sources({zone}, {0.25, 0.1}, "fvOptions");
     EXPECT_NE(text.find("cellZone        FD_0000;"), std::string::npos);
     EXPECT_NE(text.find("d [0 -2 0 0 0 0 0] (400000000 100000000 100000000);"), std::string::npos);
-    EXPECT_NE(text.find("f [0 -1 0 0 0 0 0] (5000 1250 1250);"), std::string::npos);
+    EXPECT_NE(text.find("f [0 -1 0 0 0 0 0] (5000 500 500);"), std::string::npos);
     EXPECT_NE(text.find("e1              (0 0 1);"), std::string::npos);
 }
 
@@ -146,7 +146,7 @@ TEST(WriteFoamZones, KeepsOtherZonesAndReplacesItsOwn)
     FoamZone zone;
     zone.cells = {3, 5};
     zone.darcy = 1e8;
-    write_foam_zones(folder.path(), {zone}, 1.0);
+    write_foam_zones(folder.path(), {zone}, {});
 
     const auto zones = read_cell_zones(folder.path());
     ASSERT_EQ(zones.size(), 2U);
@@ -155,9 +155,8 @@ TEST(WriteFoamZones, KeepsOtherZonesAndReplacesItsOwn)
     EXPECT_EQ(zones[1].name, "FD_0000");
     EXPECT_EQ(zones[1].cells, (std::vector<int>{3, 5}));
     EXPECT_EQ(text_of(folder.path() / "constant/fvOptions"),
-              porous_sources({zone}, 1.0, "fvOptions"));
-    EXPECT_EQ(text_of(folder.path() / "constant/fvModels"),
-              porous_sources({zone}, 1.0, "fvModels"));
+              porous_sources({zone}, {}, "fvOptions"));
+    EXPECT_EQ(text_of(folder.path() / "constant/fvModels"), porous_sources({zone}, {}, "fvModels"));
 }
 
 TEST(WriteCellZones, ReplacesGzippedFile)

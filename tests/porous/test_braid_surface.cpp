@@ -30,8 +30,8 @@ TEST(MakeBraidSurface, HoldsOneEntryForEachRhombus)
     EXPECT_EQ(surface.normals.size(), count);
     EXPECT_EQ(surface.wire_length.size(), count);
     EXPECT_EQ(surface.points.size(), deployment.nodes.size());
-    EXPECT_EQ(surface.wire_diameter,
-              std::vector<double>(surface.rhombi.size(), device.wire_diameter));
+    for (const Rhombus& rhombus : surface.rhombi)
+        EXPECT_EQ(rhombus.wire_diameter, device.wire_diameter);
 }
 
 TEST(MakeBraidSurface, ForceFreeDeviceHasNoDensityIncrease)
@@ -155,7 +155,6 @@ TEST(Measure, WeighsByAreaAndSeparatesTheNeck)
     surface.rhombi.push_back(wide.rhombi[0]);
     surface.density_increase = {0.0, 1.0};
     surface.wire_length.push_back(0.0);
-    surface.wire_diameter.push_back(100e-6);
     const BraidMeasures measures = measure(surface, {NeckPart::opposite, NeckPart::over});
     EXPECT_NEAR(measures.mean_density_increase, 0.75, 1e-12);
     // s = 0.1 and 0.1; 0.1 (the rows along the long side are 1 mm apart) and 1/30.
@@ -180,7 +179,8 @@ TEST(Joined, HoldsBothSurfacesOneAfterTheOther)
     EXPECT_EQ(both.corners[1], (std::array<int, 4>{1, 2, 5, 4}));
     EXPECT_EQ(both.corners[2], (std::array<int, 4>{6, 7, 9, 8}));
     EXPECT_EQ(both.points[7], Vec3(2e-3, 0, 5e-3));
-    EXPECT_EQ(both.wire_diameter, (std::vector<double>{30e-6, 30e-6, 20e-6}));
+    EXPECT_EQ(both.rhombi[1].wire_diameter, 30e-6);
+    EXPECT_EQ(both.rhombi[2].wire_diameter, 20e-6);
     EXPECT_LT((both.centres[2] - Vec3(1e-3, 0.5e-3, 5e-3)).norm(), 1e-15);
     for (const std::size_t count :
          {both.rhombi.size(), both.normals.size(), both.density_increase.size(),

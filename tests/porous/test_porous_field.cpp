@@ -8,7 +8,9 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace braidzone {
@@ -61,13 +63,26 @@ TEST(Deposit, FlatSheetMatchesHandCalculation)
         const double per_length = weight / h;
         EXPECT_NEAR(field.surface_density[i], per_length, 1e-9 * per_length);
         EXPECT_NEAR(field.darcy_normal[i], 1e5 * per_length, 1e-4 * per_length);
-        EXPECT_NEAR(field.darcy_tangential[i], 3e5 * per_length, 3e-4 * per_length);
+        EXPECT_NEAR(darcy_tangential(field)[i], 3e5 * per_length, 3e-4 * per_length);
         EXPECT_NEAR(field.forchheimer_normal[i], 0.6 * per_length, 1e-9 * per_length);
         EXPECT_NEAR(field.void_fraction[i], 1.0 - metal_per_area * per_length, 1e-9);
         EXPECT_NEAR((field.normal[i] - Vec3::UnitZ()).norm(), 0.0, 1e-12);
-        EXPECT_EQ(field.cell_type[static_cast<std::size_t>(*found)], CellType::porous);
+        EXPECT_EQ(cell_type(field, i), CellType::porous);
+        // The sheet's own constants, whatever the voxel's share of it.
+        EXPECT_NEAR(pressure_loss_linear(field)[i], 400.0, 1e-9);
+        EXPECT_NEAR(pressure_loss_quadratic(field)[i], 300.0, 1e-9);
+        EXPECT_NEAR(forchheimer_tangential(field)[i], 1.8 * per_length, 1e-9 * per_length);
     }
-    EXPECT_TRUE(std::is_sorted(field.voxels.begin(), field.voxels.end()));
+}
+
+// A sheet in a plane of voxel centres: round-off of its pieces' places must not matter.
+TEST(Deposit, TakesSheetsInPlanesOfVoxelCentres)
+{
+    const double exact = resistance_integral(flat_sheet());
+    for (const int planes : {16, 24, 32, 48, 96}) {
+        const PorousField field = deposit(flat_sheet(), wide_tube(), {.spacing = 4.8e-3 / planes});
+        EXPECT_NEAR(resistance_integral(field), exact, 1e-10 * exact) << planes;
+    }
 }
 
 TEST(Deposit, GridLiesOnMultiplesOfTheSpacingWithAMargin)
@@ -85,8 +100,6 @@ TEST(Deposit, GridLiesOnMultiplesOfTheSpacingWithAMargin)
     EXPECT_GE(last.x(), 1e-3 + 6.0 * h - 1e-12);
     EXPECT_LE(field.grid.origin.z(), 4.8e-3 - 6.0 * h + 1e-12);
     EXPECT_GE(last.z(), 4.8e-3 + 6.0 * h - 1e-12);
-    EXPECT_EQ(field.wall_distance.size(), field.grid.num_voxels());
-    EXPECT_EQ(field.cell_type.size(), field.grid.num_voxels());
 }
 
 // A device on the wall is metal, but no resistance; every voxel it touches lies in the lumen.
@@ -103,9 +116,9 @@ TEST(Deposit, ApposedDeviceIsMetalWithoutResistance)
     const double metal = measure(sheet.surface).metal_volume;
     EXPECT_NEAR(metal_volume(field), metal, 1e-10 * metal);
     for (std::size_t i = 0; i < field.voxels.size(); ++i) {
-        const auto voxel = static_cast<std::size_t>(field.voxels[i]);
-        EXPECT_LT(field.wall_distance[voxel], 0.0F);
-        EXPECT_EQ(field.cell_type[voxel], CellType::fluid);
+        const std::array<int, 3> place = place_of(field.grid, field.voxels[i]);
+        EXPECT_LT(distance_at(field.wall_distance, place[0], place[1], place[2]), 0.0F);
+        EXPECT_EQ(cell_type(field, i), CellType::fluid);
         EXPECT_NEAR(field.normal[i].norm(), 1.0, 1e-12);
         EXPECT_GT(field.void_fraction[i], 0.0);
         EXPECT_LT(field.void_fraction[i], 1.0);
@@ -127,7 +140,8 @@ TEST(Deposit, DoesNotDependOnTheNumberOfThreads)
     EXPECT_EQ(one.forchheimer_normal, many.forchheimer_normal);
     EXPECT_EQ(one.void_fraction, many.void_fraction);
     EXPECT_EQ(one.normal, many.normal);
-    EXPECT_EQ(one.wall_distance, many.wall_distance);
+    EXPECT_EQ(one.wall_distance.of_voxels, many.wall_distance.of_voxels);
+    EXPECT_EQ(one.wall_distance.of_cubes, many.wall_distance.of_cubes);
 }
 
 template <typename Thrown>
@@ -150,9 +164,12 @@ TEST(Deposit, RefusesBadOptions)
               std::string::npos);
     EXPECT_NE(message_of<ConfigError>(sheet, {.kernel_half_width = 0}).find("0 voxels"),
               std::string::npos);
-    // 2 mm in steps of 0.05 um, squared, is 1.6e9 voxels a plane.
-    EXPECT_NE(message_of<ConfigError>(sheet, {.spacing = 0.05e-6}).find("at most 2e+09"),
-              std::string::npos);
+    // 2 mm in steps of 0.1 um, squared, is 4e8 voxels a plane, of which 8 or more are held; in
+    // steps of 5 nm, 1.6e11.
+    const std::string fine = message_of<ConfigError>(sheet, {.spacing = 0.1e-6});
+    EXPECT_NE(fine.find("voxels on the device; at most 1e+09"), std::string::npos) << fine;
+    const std::string finer = message_of<ConfigError>(sheet, {.spacing = 5e-9});
+    EXPECT_NE(finer.find("at most 1e+11 in all"), std::string::npos) << finer;
 }
 
 TEST(Deposit, RefusesASheetOutsideTheVessel)

@@ -20,12 +20,15 @@ TEST(LawName, IsThatOfTheCaseFile)
 {
     EXPECT_EQ(law_name(BraidStokesLaw{}), "braid-stokes");
     EXPECT_EQ(law_name(ConstantLaw{}), "constant");
+    EXPECT_EQ(law_names(),
+              (std::vector<std::string>{"braid-stokes", "brundrett", "gedeon-wood", "ergun",
+                                        "idelchik", "armour-cannon", "measured", "constant"}));
 }
 
 TEST(SheetLoss, BraidStokesHasBothParts)
 {
     const Rhombus cell = pore(190, 33);
-    const SheetLoss loss = sheet_loss(BraidStokesLaw{}, cell, 33 * um, fluid);
+    const SheetLoss loss = sheet_loss(BraidStokesLaw{}, cell, fluid);
     EXPECT_DOUBLE_EQ(loss.linear, braid_stokes_linear(cell, fluid.viscosity));
     EXPECT_DOUBLE_EQ(loss.quadratic, braid_stokes_quadratic(cell, fluid.density));
 }
@@ -33,7 +36,7 @@ TEST(SheetLoss, BraidStokesHasBothParts)
 TEST(SheetLoss, InertiaCanBeSwitchedOff)
 {
     const Rhombus cell = pore(190, 33);
-    const SheetLoss loss = sheet_loss(BraidStokesLaw{.inertia = false}, cell, 33 * um, fluid);
+    const SheetLoss loss = sheet_loss(BraidStokesLaw{.inertia = false}, cell, fluid);
     EXPECT_DOUBLE_EQ(loss.linear, braid_stokes_linear(cell, fluid.viscosity));
     EXPECT_EQ(loss.quadratic, 0.0);
 }
@@ -42,7 +45,7 @@ TEST(SheetLoss, ConstantLawGivesItsValuesEverywhere)
 {
     const ConstantLaw law{{400.0, 300.0}};
     for (const double spacing : {100.0, 200.0}) {
-        const SheetLoss loss = sheet_loss(law, pore(spacing, 30), 30 * um, fluid);
+        const SheetLoss loss = sheet_loss(law, pore(spacing, 30), fluid);
         EXPECT_EQ(loss.linear, 400.0);
         EXPECT_EQ(loss.quadratic, 300.0);
     }
@@ -51,9 +54,9 @@ TEST(SheetLoss, ConstantLawGivesItsValuesEverywhere)
 // Wires of 30 um every 31 um: solidity 0.968.
 TEST(SheetLoss, JammedBraidIsRefused)
 {
-    EXPECT_NO_THROW(sheet_loss(BraidStokesLaw{}, pore(33, 30), 30 * um, fluid));
+    EXPECT_NO_THROW(sheet_loss(BraidStokesLaw{}, pore(33, 30), fluid));
     try {
-        sheet_loss(BraidStokesLaw{}, pore(31, 30), 30 * um, fluid);
+        sheet_loss(BraidStokesLaw{}, pore(31, 30), fluid);
         FAIL() << "a jammed cell was accepted";
     } catch (const InputError& error) {
         const std::string message = error.what();
@@ -66,7 +69,7 @@ TEST(SheetLoss, JammedBraidIsRefused)
 TEST(RangeWarnings, CountsRhombiOutsideTheVerifiedSolidities)
 {
     const std::vector<Rhombus> rhombi{pore(200, 30), pore(400, 30), pore(60, 30), pore(50, 30)};
-    const auto warnings = range_warnings(BraidStokesLaw{}, rhombi);
+    const auto warnings = range_warnings(BraidStokesLaw{}, rhombi, fluid);
     ASSERT_EQ(warnings.size(), 2U);
     EXPECT_NE(warnings[0].find("1 of 4"), std::string::npos);
     EXPECT_NE(warnings[0].find("0.075"), std::string::npos);
@@ -74,10 +77,37 @@ TEST(RangeWarnings, CountsRhombiOutsideTheVerifiedSolidities)
     EXPECT_NE(warnings[1].find("0.6"), std::string::npos);
 }
 
+// The layer's void fraction of the reference cell is 0.85: above that of Gedeon and Wood's stacks
+// (0.78) and of packed beds (0.65).
+TEST(RangeWarnings, OfTheLiteratureNameTheirQuantity)
+{
+    const std::vector<Rhombus> rhombi{pore(190, 33)};
+    const auto gedeon_wood = range_warnings(GedeonWoodLaw{}, rhombi, fluid);
+    ASSERT_EQ(gedeon_wood.size(), 1U);
+    EXPECT_EQ(gedeon_wood[0].find("gedeon-wood: 1 of 1 rhombi have a void fraction of a layer of "
+                                  "two wire diameters above 0.78, up to 0.86"),
+              0U)
+        << gedeon_wood[0];
+    EXPECT_EQ(range_warnings(ErgunLaw{}, rhombi, fluid).size(), 1U);
+    EXPECT_TRUE(range_warnings(BrundrettLaw{}, rhombi, fluid).empty());
+    EXPECT_TRUE(range_warnings(IdelchikLaw{}, rhombi, fluid).empty());
+    EXPECT_TRUE(range_warnings(ArmourCannonLaw{}, rhombi, fluid).empty());
+}
+
+// Re_d = 1056 0.05 400e-6 / 3.5e-3 = 6.0 for wires of 0.4 mm.
+TEST(RangeWarnings, HoldTheReynoldsNumberAgainstTheRange)
+{
+    const auto warnings = range_warnings(BraidStokesLaw{}, {pore(2000, 400)}, fluid);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].find("Reynolds number of the wire at 0.05 m/s above 4, up to 6.03429"),
+              std::string::npos)
+        << warnings[0];
+}
+
 TEST(RangeWarnings, AreAbsentWithinTheRangeAndForConstants)
 {
-    EXPECT_TRUE(range_warnings(BraidStokesLaw{}, {pore(200, 30), pore(100, 30)}).empty());
-    EXPECT_TRUE(range_warnings(ConstantLaw{}, {pore(31, 30)}).empty());
+    EXPECT_TRUE(range_warnings(BraidStokesLaw{}, {pore(200, 30), pore(100, 30)}, fluid).empty());
+    EXPECT_TRUE(range_warnings(ConstantLaw{}, {pore(31, 30)}, fluid).empty());
 }
 
 }  // namespace

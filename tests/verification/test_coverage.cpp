@@ -10,9 +10,12 @@
 // than the arc by (pi / n)^2 / 6 with n = N / 2, which is 0.29 % for 48 wires; so the deviation
 // falls with the square of the number of wires.
 
+#include "deploy/deployment.hpp"
+#include "deploy/wire_stretch.hpp"
 #include "porous/braid_surface.hpp"
 #include "support/braids.hpp"
 #include "support/devices.hpp"
+#include "support/shapes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -102,6 +105,67 @@ TEST(Coverage, MetalVolumeIsThatOfTheHelicalWires)
     const double helical = device.num_wires * cross_section * length / cos_alpha;
     EXPECT_NEAR(measures.metal_volume, helical, 1e-3 * helical);
     EXPECT_LT(measures.metal_volume, helical);
+}
+
+// A lattice coarser than the braid knows the sheet's deformation only; the pores are those of the
+// true wires under it. In a tube of radius R, released at lambda times the nominal ring spacing,
+// the deformation gradient is F = diag(R / R0, lambda) around and along, and the true cell's edges
+// (-+dR0, dL0) become F (-+dR0, dL0). What remains is the chord error, 0.3 % for 48 wires.
+TEST(Coverage, CoarseLatticeGivesTheTrueCellUnderItsDeformation)
+{
+    const FlowDiverter device = test::pipeline_4x20();
+    const BraidLattice true_lattice = make_lattice(device);
+    constexpr double tube_radius = 1.8e-3, tube_length = 26e-3;
+    const Vessel vessel = test::tube_vessel(tube_radius, tube_length, 180, 60);
+    const WallTree wall(vessel);
+    for (const double lambda : {1.0, 0.8}) {
+        const ReleaseSchedule schedule{.windows = {{1e-3, 25e-3, lambda}}};
+        DeployOptions options;
+        options.lattice = LatticeKind::paper_2020;
+        const Deployment deployment =
+            deploy(device, test::tube_centerline(tube_radius, tube_length), wall, 23e-3, schedule,
+                   options);
+        ASSERT_TRUE(deployment.converged);
+        const BraidSurface surface = make_braid_surface(deployment, device);
+        const double around = tube_radius / true_lattice.nominal_radius * true_lattice.arm_width;
+        const double along = lambda * true_lattice.ring_spacing;
+        const Rhombus expected = measure_rhombus(Vec3(-around, along, 0), Vec3(around, along, 0),
+                                                 device.wire_diameter, Vec3::UnitX());
+        const Rhombus& pore = surface.rhombi[surface.rhombi.size() / 2];
+        EXPECT_NEAR(pore.metal_coverage / expected.metal_coverage, 1.0, 0.005) << lambda;
+        EXPECT_NEAR(pore.pore_density / expected.pore_density, 1.0, 0.005) << lambda;
+        EXPECT_NEAR(pore.braid_angle / expected.braid_angle, 1.0, 0.005) << lambda;
+    }
+}
+
+// Wires keep their length, and the device its metal, when it is released at the spacing at which it
+// rests in the tube; at nominal spacing in a narrower tube the model's wires are shorter, and the
+// reported stretch accounts for all that is missing.
+TEST(Coverage, WireLengthAndMetalAreKeptUpToTheReportedStretch)
+{
+    const FlowDiverter device = test::pipeline_4x20();
+    constexpr double tube_radius = 1.8e-3, tube_length = 40e-3;
+    const Vessel vessel = test::tube_vessel(tube_radius, tube_length, 180, 80);
+    const WallTree wall(vessel);
+    const BraidLattice lattice = make_lattice(device);
+    const double force_free_length =
+        2.0 * lattice.nodes_per_ring * (lattice.num_rings - 1) * lattice.arm_length;
+    const double cross_section =
+        0.25 * std::numbers::pi * device.wire_diameter * device.wire_diameter;
+    for (const ReleaseMode mode : {ReleaseMode::force_free, ReleaseMode::nominal}) {
+        const Deployment deployment =
+            deploy(device, test::tube_centerline(tube_radius, tube_length), wall, 36e-3,
+                   ReleaseSchedule{.mode = mode}, {});
+        ASSERT_TRUE(deployment.converged);
+        const WireStretch stretch = wire_stretch(deployment);
+        const BraidMeasures measures = measure(make_braid_surface(deployment, device));
+        EXPECT_NEAR(measures.wire_length / force_free_length, 1.0 + stretch.total, 1e-12);
+        EXPECT_NEAR(measures.metal_volume / (force_free_length * cross_section),
+                    1.0 + stretch.total, 1e-12);
+        if (mode == ReleaseMode::force_free) {
+            EXPECT_NEAR(stretch.total, 0.0, 2e-3);
+        }
+    }
 }
 
 }  // namespace
