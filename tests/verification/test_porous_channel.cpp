@@ -5,7 +5,10 @@
 // periodic box of N^3 voxels: its images are the planes N h / |n| apart. Body force g along the
 // normal gives the pressure drop rho g N h / |n| from one image to the next.
 
+#include "porous/braid_surface.hpp"
 #include "porous/porous_field.hpp"
+#include "porous/resistance_law.hpp"
+#include "porous/resistance_sheet.hpp"
 #include "support/lattice_boltzmann.hpp"
 #include "support/shapes.hpp"
 #include "support/steady_flow.hpp"
@@ -16,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -59,23 +61,23 @@ std::vector<DragCell> drag_cells(const PorousField& field, const std::array<int,
                                  const PeriodicBox& box)
 {
     const double h = field.grid.spacing;
-    const std::int64_t nx = field.grid.dims[0], ny = field.grid.dims[1];
+    const std::vector<double> darcy = darcy_tangential(field);
+    const std::vector<double> forchheimer = forchheimer_tangential(field);
     std::vector<DragCell> cells;
     for (std::size_t i = 0; i < field.voxels.size(); ++i) {
-        const std::int64_t voxel = field.voxels[i];
-        const std::array<std::int64_t, 3> position{voxel % nx, voxel / nx % ny, voxel / (nx * ny)};
+        const std::array<int, 3> place = place_of(field.grid, field.voxels[i]);
         DragCell cell;
         bool inside = true;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto origin = std::lround(field.grid.origin[static_cast<int>(axis)] / h);
-            cell.cell[axis] = static_cast<int>(position[axis] + origin) - first[axis];
+            cell.cell[axis] = place[axis] + static_cast<int>(origin) - first[axis];
             inside = inside && cell.cell[axis] >= 0 && cell.cell[axis] < box.dims[axis];
         }
         if (!inside) continue;
         cell.darcy_normal_lu = field.darcy_normal[i] * h * h;
-        cell.darcy_tangential_lu = field.darcy_tangential[i] * h * h;
+        cell.darcy_tangential_lu = darcy[i] * h * h;
         cell.forchheimer_normal_lu = field.forchheimer_normal[i] * h;
-        cell.forchheimer_tangential_lu = cell.forchheimer_normal_lu;
+        cell.forchheimer_tangential_lu = forchheimer[i] * h;
         cell.normal = field.normal[i];
         cells.push_back(cell);
     }
