@@ -2,7 +2,7 @@
 //
 // `unit_cell_table` solved flow around the wires of flat braids of two layers in touch, for six
 // solidities and three crossing angles; its tables lie in unit_cell/, with a description. Here the
-// solver is checked against theory, two cells of the tables are solved again, and the law is held
+// solver is checked against theory, three cells of the tables are solved again, and the law is held
 // against all of them.
 
 #include "porous/braid_stokes.hpp"
