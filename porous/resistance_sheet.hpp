@@ -28,7 +28,8 @@ enum class QuadraticDrag {
 };
 
 /// Tangential over normal resistance [-]. Wires are no-slip along the sheet too: the flow meets a
-/// wall within half a wire diameter of the device, so the linear ratio is 1 at least.
+/// wall within a wire diameter of the device (wire-resolved: 0.2 to 0.7), so the linear ratio is 1
+/// at least.
 struct TangentialRatio {
     double linear = 1.0;
     double quadratic = 1.0;

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace braidzone {
@@ -34,13 +35,24 @@ Rhombus reference_cell(double scale = 1.0)
 /// Half a unit of the third digit, relative.
 constexpr double rounding = 0.006;
 
+/// @param pressure_drop_at  [Pa], of a velocity [m/s]
+void expect_drops(const std::function<double(double)>& pressure_drop_at,
+                  const std::array<double, 4>& expected)
+{
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+        EXPECT_NEAR(pressure_drop_at(velocities[i]) / expected[i], 1.0, rounding);
+}
+
+void expect_drops(const SheetLoss& loss, const std::array<double, 4>& expected)
+{
+    expect_drops([&](double velocity) { return pressure_drop(loss, velocity); }, expected);
+}
+
 TEST(Brundrett, GivesItsPressureDrops)
 {
-    constexpr std::array<double, 4> expected{4.83, 27.6, 59.6, 131.0};
-    for (std::size_t i = 0; i < velocities.size(); ++i) {
-        EXPECT_NEAR(brundrett_pressure_drop(reference_cell(), fluid, velocities[i]) / expected[i],
-                    1.0, rounding);
-    }
+    expect_drops(
+        [](double velocity) { return brundrett_pressure_drop(reference_cell(), fluid, velocity); },
+        {4.83, 27.6, 59.6, 131.0});
 }
 
 // For Re -> 0 only 7.125 / Re is left: a = 3.5625 mu / d (1 - beta^2) / beta^2 = 441 Pa s/m.
@@ -62,11 +74,11 @@ TEST(Brundrett, TwoTermsFollowItToAFewPercent)
 
 TEST(GedeonWood, GivesItsPressureDrops)
 {
-    constexpr std::array<double, 4> expected{4.15, 21.8, 46.2, 102.0};
-    for (std::size_t i = 0; i < velocities.size(); ++i) {
-        EXPECT_NEAR(gedeon_wood_pressure_drop(reference_cell(), fluid, velocities[i]) / expected[i],
-                    1.0, rounding);
-    }
+    expect_drops(
+        [](double velocity) {
+            return gedeon_wood_pressure_drop(reference_cell(), fluid, velocity);
+        },
+        {4.15, 21.8, 46.2, 102.0});
 }
 
 TEST(GedeonWood, TwoTermsFollowItToAPercent)
@@ -78,12 +90,6 @@ TEST(GedeonWood, TwoTermsFollowItToAPercent)
             pressure_drop(loss, velocity) / gedeon_wood_pressure_drop(cell, fluid, velocity), 1.0,
             0.01);
     }
-}
-
-void expect_drops(const SheetLoss& loss, const std::array<double, 4>& expected)
-{
-    for (std::size_t i = 0; i < velocities.size(); ++i)
-        EXPECT_NEAR(pressure_drop(loss, velocities[i]) / expected[i], 1.0, rounding);
 }
 
 // a = 150 3.5e-3 0.1381^2 66e-6 / (0.8619^3 (49.5e-6)^2) = 421 Pa s/m.
