@@ -2,10 +2,12 @@
 
 #include "cli/key_checks.hpp"
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
 #include "core/toml_reader.hpp"
 #include "deploy/device_library.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -159,6 +161,41 @@ FoamCaseOptions read_foam_options(const TomlTable& table)
     return options;
 }
 
+LatticeExportOptions read_lattice_options(const TomlTable& table)
+{
+    LatticeExportOptions options;
+    options.flow.peak_velocity =
+        positive_or(table, "peak_velocity", Dimension::velocity, options.flow.peak_velocity);
+    constexpr double highest_velocity_lu = 0.2;
+    options.flow.velocity_lu = require_positive(
+        table, "velocity_lu", table.number_or("velocity_lu", options.flow.velocity_lu),
+        highest_velocity_lu);
+    if (!table.has("targets")) return options;
+    std::vector<std::string> names;
+    for (const LatticeTarget target : all_lattice_targets())
+        names.push_back(target_name(target));
+    options.targets.clear();
+    for (const std::string& name : table.texts("targets")) {
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end()) {
+            throw ConfigError(fmt::format("{}: \"{}\" is not known{}", table.where("targets"), name,
+                                          did_you_mean(name, names)));
+        }
+        const auto target = all_lattice_targets()[static_cast<std::size_t>(found - names.begin())];
+        if (std::find(options.targets.begin(), options.targets.end(), target) !=
+            options.targets.end()) {
+            throw ConfigError(
+                fmt::format("{}: \"{}\" is given twice", table.where("targets"), name));
+        }
+        options.targets.push_back(target);
+    }
+    if (options.targets.empty()) {
+        throw ConfigError(fmt::format("{} is empty; known are {}", table.where("targets"),
+                                      fmt::join(names, ", ")));
+    }
+    return options;
+}
+
 Exports read_exports(const std::vector<TomlTable>& tables)
 {
     if (tables.empty()) return {.openfoam = FoamCaseOptions{}};
@@ -166,13 +203,15 @@ Exports read_exports(const std::vector<TomlTable>& tables)
     std::vector<std::string> seen;
     for (const TomlTable& table : tables) {
         table.text("format");  // required here, without a default
-        const std::string format = one_of(table, "format", "", {"vtk", "openvdb", "openfoam"});
+        const std::string format =
+            one_of(table, "format", "", {"vtk", "openvdb", "openfoam", "lattice"});
         if (std::find(seen.begin(), seen.end(), format) != seen.end()) {
             throw ConfigError(
                 fmt::format("{} = \"{}\" is given twice", table.where("format"), format));
         }
         seen.push_back(format);
         if (format == "openfoam") exports.openfoam = read_foam_options(table);
+        if (format == "lattice") exports.lattice = read_lattice_options(table);
     }
     return exports;
 }

@@ -6,6 +6,7 @@
 #include "core/vector.hpp"
 #include "deploy/flow_diverter.hpp"
 #include "export/foam_case.hpp"
+#include "export/lattice_export.hpp"
 #include "porous/porous_field.hpp"
 #include "porous/resistance_law.hpp"
 #include "porous/resistance_sheet.hpp"
@@ -38,6 +39,7 @@ struct VesselSource {
 /// them is allowed.
 struct Exports {
     std::optional<FoamCaseOptions> openfoam;  ///< openfoam/; on by default, without any [[export]]
+    std::optional<LatticeExportOptions> lattice = {};  ///< lattice/
 };
 
 /// A device that is deployed inside the first one: [second_device]. Its other options are those of

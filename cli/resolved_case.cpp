@@ -183,6 +183,16 @@ Json export_sections(const Exports& exports)
                             {"surface_refinement", exports.openfoam->surface_refinement},
                             {"device_refinement", exports.openfoam->device_refinement}});
     }
+    if (exports.lattice) {
+        std::vector<std::string> names;
+        for (const LatticeTarget target : exports.lattice->targets)
+            names.push_back(target_name(target));
+        sections.push_back({{"format", "lattice"},
+                            {"targets", names},
+                            {"peak_velocity", format_quantity(exports.lattice->flow.peak_velocity,
+                                                              Dimension::velocity)},
+                            {"velocity_lu", exports.lattice->flow.velocity_lu}});
+    }
     return sections;
 }
 

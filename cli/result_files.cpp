@@ -8,6 +8,7 @@
 #include "export/field_vti.hpp"
 #include "export/foam_case.hpp"
 #include "export/frames_vtp.hpp"
+#include "export/lattice_export.hpp"
 #include "export/unrolled.hpp"
 #include "export/wires_vtp.hpp"
 
@@ -86,19 +87,35 @@ void write_device_files(const fs::path& folder, const std::string& prefix,
     write_frames(path("frames.pvd"), deployment.lattice, deployment.frames, unit);
 }
 
+/// The opening where the centerline begins.
+int inlet_of(const Chain& chain)
+{
+    return nearest_opening(chain.vessel, chain.centerline.sections.front().origin);
+}
+
 void write_foam(const Case& job, const Chain& chain, const fs::path& folder)
 {
     FoamCaseOptions options = *job.exports.openfoam;
-    options.inlet = nearest_opening(chain.vessel, chain.centerline.sections.front().origin);
+    options.inlet = inlet_of(chain);
     options.program = fs::read_symlink("/proc/self/exe").string();
     options.case_file = "braidzone/case.toml";
     write_foam_case(folder, chain.vessel, chain.resistance, job.fluid, options);
     write_case_copy(job, folder / "braidzone");
 }
 
+std::vector<std::string> write_lattice_of(const Case& job, const Chain& chain,
+                                          const fs::path& folder)
+{
+    LatticeExportOptions options = *job.exports.lattice;
+    options.inlet = inlet_of(chain);
+    return write_lattice(folder, make_lattice_nodes(*chain.field, chain.vessel, options.inlet),
+                         chain.vessel, job.fluid, options);
+}
+
 }  // namespace
 
-void write_results(const Case& job, const Chain& chain, Stage last, const fs::path& folder)
+std::vector<std::string> write_results(const Case& job, const Chain& chain, Stage last,
+                                       const fs::path& folder)
 {
     const LengthUnit& unit = chain.vessel.unit;
     write_device_files(folder, "", chain.deployment, chain.sheet, job.device.wire_diameter, unit);
@@ -110,7 +127,10 @@ void write_results(const Case& job, const Chain& chain, Stage last, const fs::pa
         write_field_vdb(folder / "field.vdb", *chain.field, unit);
         write_field_vti(folder / "field.vti", *chain.field, unit);
     }
-    if (last == Stage::exports && job.exports.openfoam) write_foam(job, chain, folder / "openfoam");
+    if (last != Stage::exports) return {};
+    if (job.exports.openfoam) write_foam(job, chain, folder / "openfoam");
+    if (!job.exports.lattice) return {};
+    return write_lattice_of(job, chain, folder / "lattice");
 }
 
 std::vector<std::string> files_in(const fs::path& folder)

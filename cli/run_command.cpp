@@ -44,7 +44,7 @@ void run_case(const std::filesystem::path& case_file, Stage last, const CommonOp
 
     const Chain chain = run_chain(job, last, progress);
     progress.begin("export", "writing the results");
-    write_results(job, chain, last, folder.path());
+    const std::vector<std::string> notes = write_results(job, chain, last, folder.path());
     std::vector<LawComparison> laws;
     if (options.compare_laws) {
         laws = compare_laws(chain.resistance, job.law);
@@ -52,7 +52,7 @@ void run_case(const std::filesystem::path& case_file, Stage last, const CommonOp
         write_law_picture(folder.path() / "laws.png", chain.resistance, laws);
     }
     progress.end();
-    const auto summary = summarise(job, chain, progress, files_in(folder.path()));
+    const auto summary = summarise(job, chain, progress, files_in(folder.path()), notes);
     write_summary(folder.path() / "summary.json", summary);
     folder.commit();
 

@@ -202,7 +202,7 @@ std::vector<std::string> warnings(const Case& job, const Chain& chain)
 }  // namespace
 
 Json summarise(const Case& job, const Chain& chain, const Progress& progress,
-               const std::vector<std::string>& files)
+               const std::vector<std::string>& files, const std::vector<std::string>& export_notes)
 {
     Json stages = Json::object();
     for (const StageTime& time : progress.times()) {
@@ -229,7 +229,9 @@ Json summarise(const Case& job, const Chain& chain, const Progress& progress,
     summary["versions"] = library_versions();
     summary["stages"] = stages;
     summary["files"] = files;
-    summary["warnings"] = warnings(job, chain);
+    std::vector<std::string> all_warnings = warnings(job, chain);
+    all_warnings.insert(all_warnings.end(), export_notes.begin(), export_notes.end());
+    summary["warnings"] = all_warnings;
     return summary;
 }
 

@@ -15,9 +15,11 @@ namespace braidzone {
 /// `quantities` maps each name to {value, unit}, or to null where it does not apply. They are the
 /// first device's, but for the resistance integrals, which are of all devices; `second_device` has
 /// the same of the second one. "Neck" is the first of `openings` (`find_openings`).
-/// @param files  what the run wrote, relative to its folder
+/// @param files         what the run wrote, relative to its folder
+/// @param export_notes  what `write_results` says
 nlohmann::ordered_json summarise(const Case& job, const Chain& chain, const Progress& progress,
-                                 const std::vector<std::string>& files);
+                                 const std::vector<std::string>& files,
+                                 const std::vector<std::string>& export_notes = {});
 
 /// The same in a few lines for the terminal.
 std::string short_summary(const nlohmann::ordered_json& summary);

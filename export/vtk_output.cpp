@@ -49,6 +49,18 @@ void add_values(vtkFieldData& fields, const std::string& name, const std::vector
     fields.AddArray(array);
 }
 
+void write_through_string(const std::filesystem::path& path, vtkXMLWriter& writer)
+{
+    // Because the writer tells of a failing file on stderr only.
+    writer.WriteToOutputStringOn();
+    writer.Write();
+    const std::string content = writer.GetOutputString();
+    std::ofstream file(path, std::ios::binary);
+    file.write(content.data(), static_cast<std::streamsize>(content.size()));
+    file.close();
+    if (!file) throw IoError(fmt::format("{}: cannot be written", path.string()));
+}
+
 }  // namespace
 
 void add_numbers(vtkFieldData& fields, const std::string& name, const std::vector<double>& values)
@@ -102,14 +114,13 @@ void write_vtk_xml(const std::filesystem::path& path, vtkXMLWriter& writer)
     writer.SetCompressionLevel(compression_level);
     writer.SetDataModeToAppended();
     writer.EncodeAppendedDataOff();
-    // Through a string, because the writer tells of a failing file on stderr only.
-    writer.WriteToOutputStringOn();
-    writer.Write();
-    const std::string content = writer.GetOutputString();
-    std::ofstream file(path, std::ios::binary);
-    file.write(content.data(), static_cast<std::streamsize>(content.size()));
-    file.close();
-    if (!file) throw IoError(fmt::format("{}: cannot be written", path.string()));
+    write_through_string(path, writer);
+}
+
+void write_vtk_text(const std::filesystem::path& path, vtkXMLWriter& writer)
+{
+    writer.SetDataModeToAscii();
+    write_through_string(path, writer);
 }
 
 }  // namespace braidzone

@@ -84,6 +84,11 @@ inlet_velocity = "30 cm/s"
 coarse_cell = "0.4 mm"
 surface_refinement = 2
 device_refinement = 3
+[[export]]
+format = "lattice"
+targets = ["openlb", "numpy"]
+peak_velocity = "40 cm/s"
+velocity_lu = 0.04
 )";
 
 TEST(CaseFile, NeedsFewKeys)

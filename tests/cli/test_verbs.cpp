@@ -130,6 +130,26 @@ TEST_F(Verbs, RunWritesTheFieldsAlwaysAndSolverCasesAsWanted)
     EXPECT_FALSE(is_there("case.out/openfoam"));
 }
 
+TEST_F(Verbs, RunWritesTheLatticeIfAsked)
+{
+    std::ofstream(folder_.path() / "case.toml", std::ios::app)
+        << "\n[[export]]\nformat = \"lattice\"\ntargets = [\"openlb\", \"numpy\"]\n";
+    run("run");
+    const auto record = summary();
+    const auto files = record["files"].get<Words>();
+    for (const char* file :
+         {"lattice/lattice.json", "lattice/numpy/darcy.npy", "lattice/openlb/olb_porosity.vdb"}) {
+        EXPECT_NE(std::find(files.begin(), files.end(), file), files.end()) << file;
+    }
+    EXPECT_FALSE(is_there("case.out/lattice/palabos"));
+    const auto lattice =
+        nlohmann::json::parse(text_of(folder_.path() / "case.out/lattice/lattice.json"));
+    EXPECT_EQ(lattice["notes"].size(), 1U);  // the relaxation time; on the wall nothing resists
+    for (const auto& note : lattice["notes"]) {
+        EXPECT_NE(out_.find(note.get<std::string>()), std::string::npos) << note;
+    }
+}
+
 TEST_F(Verbs, GiveTheSameBytesWhateverTheNumberOfThreads)
 {
     const auto output = [&](const char* name) { return (folder_.path() / name).string(); };

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/fluid.hpp"
+#include "export/lattice_nodes.hpp"
+
+#include <string>
+#include <vector>
+
+namespace braidzone {
+
+/// What a lattice's time step follows from.
+struct LatticeFlowOptions {
+    double peak_velocity = 0.6;  ///< largest expected in the vessel [m/s]; > 0
+    double velocity_lu = 0.05;   ///< of it, in lattice units; 0 < . <= 0.2
+};
+
+/// A proposed time step and the numbers that decide whether it is stable. In lattice units spacing,
+/// time step and density are 1:
+///
+///     dt = u_lu dx / U,   nu_lu = nu dt / dx^2,   tau = 3 nu_lu + 1/2,   Ma = sqrt(3) u_lu
+///     a = nu D dt,   b = F dx / 2,   drag per step (a + b |u_lu|) u_lu
+struct LatticeUnits {
+    double spacing = 0.0;             ///< dx [m]
+    double time_step = 0.0;           ///< dt [s]
+    double viscosity_lu = 0.0;        ///< nu_lu
+    double relaxation_time_lu = 0.0;  ///< tau
+    double mach = 0.0;
+    double largest_drag_lu = 0.0;     ///< a, over the device's nodes
+    double largest_inertia_lu = 0.0;  ///< b, over the device's nodes
+};
+
+/// @throws ConfigError if a velocity is out of range
+LatticeUnits propose_units(const LatticeNodes& nodes, const Fluid& fluid,
+                           const LatticeFlowOptions& options);
+
+/// Sentences about what makes the proposal doubtful: tau of 0.51 or less, with which the plain BGK
+/// collision is unstable; an error of the density, 3 a u_lu, of 3 % or more.
+std::vector<std::string> unit_warnings(const LatticeUnits& units,
+                                       const LatticeFlowOptions& options);
+
+}  // namespace braidzone

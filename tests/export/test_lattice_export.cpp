@@ -1,0 +1,232 @@
+// Each file of a lattice is read back by a program that is not ours: NumPy, VTK, OpenVDB.
+
+#include "core/error.hpp"
+#include "export/lattice_arrays.hpp"
+#include "export/lattice_export.hpp"
+#include "export/lattice_openlb.hpp"
+#include "support/lattices.hpp"
+#include "support/shapes.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkXMLImageDataReader.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace braidzone {
+namespace {
+
+namespace fs = std::filesystem;
+
+class LatticeExport : public ::testing::Test {
+protected:
+    fs::path folder() const { return folder_.path(); }
+
+    std::string text_of(const fs::path& path) const
+    {
+        std::ostringstream text;
+        text << std::ifstream(path, std::ios::binary).rdbuf();
+        return std::move(text).str();
+    }
+
+    /// What a Python script prints, run in the folder.
+    std::string printed_by_python(const std::string& script) const
+    {
+        std::ofstream(folder() / "script.py") << script;
+        const std::string command =
+            fmt::format("cd '{}' && /usr/bin/python3 script.py > printed", folder().string());
+        EXPECT_EQ(std::system(command.c_str()), 0) << script;
+        return text_of(folder() / "printed");
+    }
+
+    /// Calls visit(i, j, k, index) for x slowest.
+    template <typename Visit>
+    void for_each_node(Visit visit) const
+    {
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 4; ++j)
+                for (int k = 0; k < 5; ++k)
+                    visit(i, j, k, nodes.grid.index(i, j, k));
+    }
+
+    double expected_darcy(std::size_t index) const
+    {
+        for (std::size_t i = 0; i < nodes.resisting.size(); ++i)
+            if (nodes.resisting[i] == static_cast<std::int64_t>(index)) return nodes.darcy[i];
+        return 0.0;
+    }
+
+    LatticeNodes nodes = test::asymmetric_lattice();
+
+private:
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(LatticeExport, NumpyReadsEveryNodeAtItsPlace)
+{
+    write_lattice_arrays(folder(), nodes);
+    std::istringstream printed(printed_by_python(
+        "import numpy as n\n"
+        "t, d = n.load('cell_type.npy'), n.load('darcy.npy')\n"
+        "f, o = n.load('forchheimer.npy'), n.load('normal.npy')\n"
+        "print(t.dtype, d.dtype, f.dtype, o.dtype)\n"
+        "print(*t.shape, *d.shape, *o.shape)\n"
+        "for i in range(3):\n"
+        "  for j in range(4):\n"
+        "    for k in range(5): print(t[i,j,k], d[i,j,k], f[i,j,k], *o[:,i,j,k])\n"));
+    std::string line;
+    std::getline(printed, line);
+    EXPECT_EQ(line, "uint8 float32 float32 float32");
+    std::getline(printed, line);
+    EXPECT_EQ(line, "3 4 5 3 4 5 3 3 4 5");
+    for_each_node([&](int i, int j, int k, std::size_t index) {
+        int type = -1;
+        double darcy = -1.0, forchheimer = -1.0;
+        Vec3 normal;
+        printed >> type >> darcy >> forchheimer >> normal[0] >> normal[1] >> normal[2];
+        EXPECT_EQ(type, nodes.type[index]) << i << j << k;
+        EXPECT_EQ(darcy, expected_darcy(index)) << i << j << k;
+        const bool first = i == 1 && j == 2 && k == 3, second = i == 2 && j == 0 && k == 4;
+        EXPECT_EQ(forchheimer, first ? 6144.0 : second ? 7168.0 : 0.0);
+        EXPECT_EQ(normal, first ? nodes.normal[0] : second ? nodes.normal[1] : Vec3(0, 0, 0));
+    });
+}
+
+// 0 fluid and openings, 1 wall, 2 unused; x slowest, a line for each x and y.
+TEST_F(LatticeExport, PalabosGeometryHasXSlowest)
+{
+    const fs::path path = folder() / "geometry.dat";
+    write_palabos_geometry(path, nodes);
+    const std::string content = text_of(path);
+    std::istringstream text(content);
+    for_each_node([&](int i, int j, int k, std::size_t index) {
+        int value = -1;
+        text >> value;
+        const std::uint8_t type = nodes.type[index];
+        EXPECT_EQ(value, type == 0 ? 2 : type == 1 ? 1 : 0) << i << j << k;
+    });
+    int beyond = 0;
+    EXPECT_FALSE(text >> beyond);
+    EXPECT_EQ(std::count(content.begin(), content.end(), '\n'), 3 * 4);
+}
+
+TEST_F(LatticeExport, WalberlaMaskHasXFastest)
+{
+    const fs::path path = folder() / "mask_u8.raw";
+    write_walberla_mask(path, nodes);
+    const std::string bytes = text_of(path);
+    ASSERT_EQ(bytes.size(), nodes.type.size());
+    for (std::size_t node = 0; node < bytes.size(); ++node)
+        EXPECT_EQ(bytes[node], nodes.type[node] >= 2 ? 1 : 0) << node;
+}
+
+class OpenLbExport : public LatticeExport {
+protected:
+    const Fluid fluid{1000.0, 4e-3};
+    LatticeUnits units = propose_units(nodes, fluid, {});
+};
+
+// a = 4e-6 1.5e9 dt = 0.1, tau = 0.505: d = 1 - 0.0505 / 1.05 = 0.9519048; 0.16667 for the other:
+// d = 1 - 0.0841667 / 1.083333 = 0.9223077.
+TEST_F(OpenLbExport, OpenVdbReadsItsPorosity)
+{
+    write_openlb(folder(), nodes, fluid, units);
+    openvdb::initialize();
+    openvdb::io::File file((folder() / "olb_porosity.vdb").string());
+    file.open();
+    const auto grids = file.getGrids();
+    ASSERT_EQ(grids->size(), 1U);
+    const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(grids->front());
+    EXPECT_EQ(grid->activeVoxelCount(), 2U);
+    EXPECT_NEAR(grid->tree().getValue({1, 2, 3}), 0.9519048, 1e-6);
+    EXPECT_NEAR(grid->tree().getValue({2, 0, 4}), 0.9223077, 1e-6);
+    EXPECT_EQ(grid->tree().getValue({0, 0, 0}), 1.0F);
+    EXPECT_NEAR(grid->transform().voxelSize()[0], 0.2, 1e-12);
+    EXPECT_EQ(printed_by_python("import pyopenvdb as v\n"
+                                "g = v.read('olb_porosity.vdb', 'porosity')\n"
+                                "print(g.activeVoxelCount())\n"),
+              "2\n");
+}
+
+TEST_F(OpenLbExport, VtkReadsItsImage)
+{
+    write_openlb(folder(), nodes, fluid, units);
+    const std::string text = text_of(folder() / "case.vti");
+    EXPECT_EQ(text.find("appended"), std::string::npos);
+    EXPECT_EQ(text.find("format=\"binary\""), std::string::npos);
+    EXPECT_NE(text.find("format=\"ascii\""), std::string::npos);
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName((folder() / "case.vti").c_str());
+    reader->Update();
+    vtkImageData* image = reader->GetOutput();
+    EXPECT_EQ(image->GetOrigin()[1], 0.0);
+    EXPECT_NEAR(image->GetSpacing()[2], 0.2e-3, 1e-15);
+    for_each_node([&](int i, int j, int k, std::size_t index) {
+        int place[3] = {i, j, k};
+        const vtkIdType point = image->ComputePointId(place);
+        const auto value = [&](const char* name) {
+            return image->GetPointData()->GetArray(name)->GetComponent(point, 0);
+        };
+        EXPECT_EQ(value("flags"), nodes.type[index]);
+        EXPECT_EQ(value("darcy_d"), expected_darcy(index));
+    });
+}
+
+// 1 / (3 nu_lu) = 200 here; a drag of 240 a step needs D = 3.6e12 1/m^2.
+TEST_F(OpenLbExport, RefusesMoreDragThanItsCollisionExpresses)
+{
+    nodes.darcy[0] = 3.6e12;
+    units = propose_units(nodes, fluid, {});
+    try {
+        write_openlb(folder(), nodes, fluid, units);
+        FAIL() << "nothing was thrown";
+    } catch (const ConfigError& error) {
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("cannot express a drag of 240"));
+    }
+}
+
+TEST_F(LatticeExport, NotesSayWhatTargetsLeaveOut)
+{
+    nodes.tangential_ratio = {5.0, 5.0};
+    const Vessel vessel = test::tube_vessel(1.5e-3, 6e-3);
+    nodes.openings = {{0, 10, 7}, {1, 11, 8}};
+    const std::vector<std::string> notes =
+        write_lattice(folder(), nodes, vessel, Fluid{1000.0, 4e-3}, {});
+    EXPECT_THAT(
+        notes, ::testing::Contains("lattice: openlb takes the linear part of the resistance only"));
+    EXPECT_THAT(notes, ::testing::Contains(
+                           ::testing::HasSubstr("openlb has one resistance for all directions")));
+    EXPECT_THAT(notes, ::testing::Contains(
+                           "lattice: walberla takes the walls, not the device's resistance"));
+    EXPECT_THAT(notes, ::testing::Not(::testing::Contains(::testing::HasSubstr("numpy"))));
+    for (const char* file :
+         {"numpy/cell_type.npy", "numpy/README.md", "openlb/case.vti", "openlb/olb_porosity.vdb",
+          "palabos/geometry.dat", "walberla/mask_u8.raw", "lattice.json"})
+        EXPECT_TRUE(fs::exists(folder() / file)) << file;
+    // The JSON places the arrays: origin and spacing give each node its place.
+    EXPECT_EQ(
+        printed_by_python("import json, numpy as n\n"
+                          "c = json.load(open('lattice.json'))\n"
+                          "d = n.load('numpy/darcy.npy').astype(float)\n"
+                          "print(list(d.shape) == c['dims'])\n"
+                          "s = d.sum() * c['spacing_m']**3\n"
+                          "print(abs(s / c['resistance']['integral_of_darcy_m'] - 1) < 1e-6)\n"
+                          "print(c['openings'][1]['num_nodes'], c['origin_m'][2])\n"),
+        "True\nTrue\n8 0.003\n");
+}
+
+}  // namespace
+}  // namespace braidzone
