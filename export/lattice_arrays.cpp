@@ -1,6 +1,7 @@
 #include "export/lattice_arrays.hpp"
 
 #include "core/error.hpp"
+#include "export/npy_header.hpp"
 
 #include <fmt/format.h>
 
@@ -45,23 +46,6 @@ private:
     std::ofstream file_;
 };
 
-/// Header of a NumPy array, padded to a multiple of 64 bytes (numpy.lib.format, version 1.0).
-std::string npy_header(const std::string& type, const std::string& shape)
-{
-    constexpr std::size_t alignment = 64, fixed_size = 10;
-    std::string text =
-        fmt::format("{{'descr': '{}', 'fortran_order': True, 'shape': ({}), }}", type, shape);
-    while ((fixed_size + text.size() + 1) % alignment != 0)
-        text += ' ';
-    text += '\n';
-    std::string header = "\x93NUMPY";
-    header += '\x01';
-    header += '\x00';
-    header += static_cast<char>(text.size() % 256);
-    header += static_cast<char>(text.size() / 256);
-    return header + text;
-}
-
 std::string shape_of(const VoxelGrid& grid)
 {
     return fmt::format("{}, {}, {}", grid.dims[0], grid.dims[1], grid.dims[2]);
@@ -83,7 +67,7 @@ void write_sparse(const std::filesystem::path& path, const LatticeNodes& nodes, 
     const std::string shape = components == 1
                                   ? shape_of(nodes.grid)
                                   : fmt::format("{}, {}", num_components, shape_of(nodes.grid));
-    const std::string header = npy_header("<f4", shape);
+    const std::string header = npy_header("<f4", shape, NpyOrder::first_fastest);
     file.write(header.data(), header.size());
     const std::size_t in_plane = plane_size(nodes.grid);
     std::size_t next = 0;
@@ -113,7 +97,7 @@ bool is_open(std::uint8_t type)
 void write_lattice_arrays(const std::filesystem::path& folder, const LatticeNodes& nodes)
 {
     PlaneFile types(folder / "cell_type.npy");
-    const std::string header = npy_header("|u1", shape_of(nodes.grid));
+    const std::string header = npy_header("|u1", shape_of(nodes.grid), NpyOrder::first_fastest);
     types.write(header.data(), header.size());
     types.write(nodes.type);
     types.close();

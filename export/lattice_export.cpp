@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "export/lattice_arrays.hpp"
+#include "export/lattice_hemoflow.hpp"
 #include "export/lattice_openlb.hpp"
 
 #include <fmt/format.h>
@@ -63,6 +64,21 @@ constexpr const char* walberla_readme = R"(# waLBerla
 The walls only: the device's resistance is not in it.
 )";
 
+constexpr const char* hemoflow_readme = R"(# HemoFlow
+`case.npz`, `setup.xml` and `flow.txt`, for github.com/gzavo/hemoflow:
+
+    hemoFlow setup.xml
+
+run in this folder. Flags: 0 unused, 1 wall, 2 fluid, 10 inlet (velocity), 11 outlet (pressure), 12, ...
+outlets (velocity, by the cube of the radius). `stent` times `linCoeff` is mu D dx of each node. The
+Reynolds number in setup.xml is that of half the peak velocity of `../lattice.json`; `flow.txt` scales it
+in time (steady here).
+
+One weight scales the linear and the quadratic part, which acts on each component of the velocity by
+itself; the same along and across the sheet. HemoFlow has blood of its own (1055 kg/m^3, 3.22e-6 m^2/s,
+Carreau below).
+)";
+
 struct Target {
     LatticeTarget target;
     const char* name;
@@ -77,6 +93,7 @@ constexpr Target targets[] = {
     {LatticeTarget::openlb, "openlb", openlb_readme, true, false, false},
     {LatticeTarget::palabos, "palabos", palabos_readme, false, false, false},
     {LatticeTarget::walberla, "walberla", walberla_readme, false, false, false},
+    {LatticeTarget::hemoflow, "hemoflow", hemoflow_readme, true, true, false},
 };
 
 const Target& entry_of(LatticeTarget target)
@@ -201,6 +218,13 @@ std::string target_name(LatticeTarget target)
     return entry_of(target).name;
 }
 
+std::vector<LatticeTarget> default_lattice_targets()
+{
+    std::vector<LatticeTarget> targets_of_any_vessel = all_lattice_targets();
+    std::erase(targets_of_any_vessel, LatticeTarget::hemoflow);
+    return targets_of_any_vessel;
+}
+
 std::vector<LatticeTarget> all_lattice_targets()
 {
     std::vector<LatticeTarget> all;
@@ -227,6 +251,9 @@ std::vector<std::string> write_lattice(const fs::path& folder, const LatticeNode
                 break;
             case LatticeTarget::palabos:
                 write_palabos_geometry(place / "geometry.dat", nodes);
+                break;
+            case LatticeTarget::hemoflow:
+                write_hemoflow(place, nodes, vessel, fluid, options.flow);
                 break;
             case LatticeTarget::walberla:
                 write_walberla_mask(place / "mask_u8.raw", nodes);

@@ -9,15 +9,18 @@
 namespace braidzone {
 
 /// What a lattice is written for.
-enum class LatticeTarget { numpy, openlb, palabos, walberla };
+enum class LatticeTarget { numpy, openlb, palabos, walberla, hemoflow };
 
 /// Its name in the case file, and its folder.
 std::string target_name(LatticeTarget target);
 
 std::vector<LatticeTarget> all_lattice_targets();
 
+/// Those that take any vessel: all but HemoFlow, which wants its openings on the faces of the box.
+std::vector<LatticeTarget> default_lattice_targets();
+
 struct LatticeExportOptions {
-    std::vector<LatticeTarget> targets = all_lattice_targets();
+    std::vector<LatticeTarget> targets = default_lattice_targets();
     LatticeFlowOptions flow;
     int inlet = 0;  ///< index of the vessel's opening that is the inlet
 };

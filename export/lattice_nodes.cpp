@@ -74,21 +74,50 @@ public:
     {
     }
 
-    /// Marks what surrounds the fluid. Wall and caps lie in held cubes only.
+    /// Takes the nodes in the plane of a cap out of the fluid: of those, round-off decides which
+    /// lie in the lumen, and an opening's layer is to be flat.
+    void trim_caps()
+    {
+        for_each_held_node([&](const std::array<int, 3>& node) {
+            if (type(node) != static_cast<std::uint8_t>(NodeType::fluid)) return;
+            const Vec3 place = nodes_.grid.centre(node[0], node[1], node[2]);
+            for (const Opening& opening : vessel_.openings) {
+                const double beyond = (place - opening.centre).dot(opening.normal);
+                const Vec3 across = place - opening.centre - beyond * opening.normal;
+                if (std::abs(beyond) < round_off() && across.norm() < 2.0 * opening.radius)
+                    type(node) = static_cast<std::uint8_t>(NodeType::unused);
+            }
+        });
+    }
+
+    /// Marks what surrounds the fluid.
     void mark_surroundings()
+    {
+        for_each_held_node([&](const std::array<int, 3>& node) { mark_around(node); });
+    }
+
+private:
+    double round_off() const { return 1e-6 * nodes_.grid.spacing; }
+
+    /// Calls visit(node) for the nodes of all held cubes: wall and caps lie in them.
+    template <typename Visit>
+    void for_each_held_node(Visit visit)
     {
         const VoxelCubes& cubes = distance_.cubes;
         constexpr int edge = VoxelCubes::edge;
         for (const std::int32_t cube : cubes.held) {
             const auto& [a, b, c] = cubes.place_of(static_cast<std::size_t>(cube));
-            for (int k = edge * c; k < edge * (c + 1); ++k)
-                for (int j = edge * b; j < edge * (b + 1); ++j)
-                    for (int i = edge * a; i < edge * (a + 1); ++i)
-                        if (is_in_grid(nodes_.grid, {i, j, k})) mark_around({i, j, k});
+            for (int k = edge * c; k < edge * (c + 1); ++k) {
+                for (int j = edge * b; j < edge * (b + 1); ++j) {
+                    for (int i = edge * a; i < edge * (a + 1); ++i) {
+                        const std::array<int, 3> node{i, j, k};
+                        if (is_in_grid(nodes_.grid, node)) visit(node);
+                    }
+                }
+            }
         }
     }
 
-private:
     std::uint8_t& type(const std::array<int, 3>& node)
     {
         return nodes_.type[nodes_.grid.index(node[0], node[1], node[2])];
@@ -127,9 +156,7 @@ private:
             const Opening& opening = vessel_.openings[static_cast<std::size_t>(entry.opening)];
             const double before = (from - opening.centre).dot(opening.normal);
             const double beyond = (to - opening.centre).dot(opening.normal);
-            // A node in the cap's own plane may count either way.
-            const double round_off = 1e-6 * h;
-            if (!(before < 0.5 * h && beyond > -round_off)) continue;
+            if (!(before < 0.5 * h && beyond > -round_off())) continue;
             const Vec3 across = to - opening.centre - beyond * opening.normal;
             if (across.norm() > 2.0 * opening.radius) continue;
             const Vec3 behind = to - (beyond + 0.75 * h) * opening.normal;
@@ -210,7 +237,9 @@ LatticeNodes make_lattice_nodes(const PorousField& field, const Vessel& vessel, 
             for (int i = 0; i < nodes.grid.dims[0]; ++i, ++index)
                 if (distance_at(distance, i, j, k) < 0.0F)
                     nodes.type[index] = static_cast<std::uint8_t>(NodeType::fluid);
-    Layer(nodes, vessel, distance).mark_surroundings();
+    Layer layer(nodes, vessel, distance);
+    layer.trim_caps();
+    layer.mark_surroundings();
     add_resistance(nodes, field);
     return nodes;
 }

@@ -42,8 +42,9 @@ struct LatticeNodes {
 
 /// Lays the vessel on the field's lattice, two nodes beyond it on all sides.
 ///
-/// A node is fluid if it lies in the lumen. A node beside fluid along one of the 18 links of D3Q19
-/// is an opening's if the cap lies between them and lumen behind it, else wall.
+/// A node is fluid if it lies in the lumen, and not in the plane of an opening. A node beside fluid
+/// along one of the 18 links of D3Q19 is an opening's if the cap lies between them and lumen behind
+/// it, else wall.
 /// @param inlet  index of the vessel's opening that is the inlet; the others are outlets
 /// @throws ConfigError if there would be more than 5e8 nodes, with how many, or more than 245
 /// outlets

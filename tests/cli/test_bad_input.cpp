@@ -388,7 +388,7 @@ const std::vector<BadInput> bad_inputs = {
     {"no_lattice_target",
      change("\"vtk\"", "\"lattice\"\ntargets = []"),
      2,
-     {"export.targets is empty; known are numpy, openlb, palabos, walberla"}},
+     {"export.targets is empty; known are numpy, openlb, palabos, walberla, hemoflow"}},
     {"lattice_velocity_too_high",
      change("\"vtk\"", "\"lattice\"\nvelocity_lu = 0.5"),
      2,

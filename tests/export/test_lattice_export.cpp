@@ -3,7 +3,9 @@
 #include "core/error.hpp"
 #include "export/lattice_arrays.hpp"
 #include "export/lattice_export.hpp"
+#include "export/lattice_hemoflow.hpp"
 #include "export/lattice_openlb.hpp"
+#include "support/braids.hpp"
 #include "support/lattices.hpp"
 #include "support/shapes.hpp"
 #include "support/temporary_folder.hpp"
@@ -226,6 +228,99 @@ TEST_F(LatticeExport, NotesSayWhatTargetsLeaveOut)
                           "print(abs(s / c['resistance']['integral_of_darcy_m'] - 1) < 1e-6)\n"
                           "print(c['openings'][1]['num_nodes'], c['origin_m'][2])\n"),
         "True\nTrue\n8 0.003\n");
+}
+
+/// A tube along z whose openings are faces of the box, with a sheet across.
+struct TubeLattice {
+    Vessel vessel = test::tube_vessel(1.5e-3, 6e-3, 96, 24);
+    LatticeNodes nodes;
+
+    explicit TubeLattice(double a = 400.0)
+    {
+        const BraidSurface surface =
+            test::flat_braid(Vec3(-1e-3, -1e-3, 3.013e-3), Vec3(0.1e-3, 0, 0), 20,
+                             Vec3(0, 0.1e-3, 0.01e-3), 20, 30e-6);
+        const ResistanceSheet sheet =
+            make_resistance_sheet(surface, ConstantLaw{{a, 300.0}}, Fluid{1055.0, 3.4e-3});
+        nodes = make_lattice_nodes(deposit(sheet, vessel, {.spacing = 0.1e-3}), vessel, 0);
+    }
+};
+
+// Opening 0 is the one at z = 0 or the other end, by the vessel's own order; whichever it is, the
+// inlet's nodes fill a face of the box, the outlet's the opposite one. The weights times linCoeff
+// are mu D dx, whose sum times dx^2 is mu times the Darcy integral.
+TEST_F(LatticeExport, NumpyReadsWhatHemoFlowReads)
+{
+    const TubeLattice tube;
+    const Fluid fluid{1055.0, 3.4e-3};
+    write_hemoflow(folder(), tube.nodes, tube.vessel, fluid, {});
+    const std::string printed = printed_by_python(
+        "import numpy as n, re\n"
+        "c = n.load('case.npz')\n"
+        "print(*sorted(c.keys()))\n"
+        "f, s = c['geometryFlag'], c['stent']\n"
+        "print(f.dtype, s.dtype, f.shape == s.shape, f.flags['C_CONTIGUOUS'])\n"
+        "a, b = n.argwhere(f == 10), n.argwhere(f == 11)\n"
+        "print(set(a[:,2]) | set(b[:,2]) == {0, f.shape[2] - 1}, len(set(a[:,2])))\n"
+        "print(c['openingIndex'].dtype, *c['openingIndex'], c['openingQRatio'.replace('Q', "
+        "'NormalizedQ')][1])\n"
+        "t, m = c['openingTangent'], c['openingCenter']\n"
+        "print(abs(t[0] - t[1]).max() < 1e-6, abs(m[0] - a.mean(axis=0)).max() < 0.6)\n"
+        "lin = float(re.search('<linCoeff>(.*)</linCoeff>', open('setup.xml').read())[1])\n"
+        "print(lin, s.astype(float).sum() * lin * c['dx'][0]**2)\n"
+        "print(((f != 2) & (s > 0)).sum())\n");
+    std::istringstream lines(printed);
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line,
+              "dx geometryFlag openingCenter openingIndex openingNormalizedQRatio openingRadius "
+              "openingTangent stent");
+    std::getline(lines, line);
+    EXPECT_EQ(line, "uint16 uint16 True True");
+    std::getline(lines, line);
+    EXPECT_EQ(line, "True 1");
+    std::getline(lines, line);
+    EXPECT_EQ(line, "uint16 10 11 1.0");
+    std::getline(lines, line);
+    EXPECT_EQ(line, "True True");
+    double linear = 0.0, integral = 0.0;
+    int outside = -1;
+    lines >> linear >> integral >> outside;
+    EXPECT_NEAR(linear, 0.4, 1e-9);
+    EXPECT_NEAR(integral / (fluid.viscosity * resistance_integral(tube.nodes)), 1.0, 1e-3);
+    EXPECT_EQ(outside, 0);
+}
+
+TEST_F(LatticeExport, HemoFlowWantsOpeningsOnTheFacesOfTheBox)
+{
+    TubeLattice tube;
+    TriangleMesh turned = tube.vessel.wall;
+    for (Vec3& point : turned.points)
+        point = Eigen::AngleAxisd(0.3, Vec3::UnitX()) * point;
+    const Vessel vessel = make_vessel(turned, tube.vessel.unit);
+    PorousField empty;
+    empty.grid = {Vec3::Zero(), 0.1e-3, {1, 1, 1}};
+    tube.nodes = make_lattice_nodes(empty, vessel, 0);
+    try {
+        write_hemoflow(folder(), tube.nodes, vessel, Fluid{}, {});
+        FAIL() << "nothing was thrown";
+    } catch (const ConfigError& error) {
+        EXPECT_THAT(error.what(),
+                    ::testing::HasSubstr("hemoflow wants openings flat on the faces"));
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("turned by 17 degrees"));
+    }
+}
+
+// a = nu D dt: at its largest w a dt / (rho dx) with w = 1/2, dt = 0.05 1e-4 / 0.3.
+TEST_F(LatticeExport, HemoFlowTakesNoMoreThanItsExplicitForceBears)
+{
+    const TubeLattice tube(40000.0);
+    try {
+        write_hemoflow(folder(), tube.nodes, tube.vessel, Fluid{1055.0, 3.4e-3}, {});
+        FAIL() << "nothing was thrown";
+    } catch (const ConfigError& error) {
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("explicit force diverges with a drag of"));
+    }
 }
 
 }  // namespace
