@@ -166,7 +166,6 @@ LatticeExportOptions read_lattice_options(const TomlTable& table)
     LatticeExportOptions options;
     options.flow.peak_velocity =
         positive_or(table, "peak_velocity", Dimension::velocity, options.flow.peak_velocity);
-    constexpr double highest_velocity_lu = 0.2;
     options.flow.velocity_lu = require_positive(
         table, "velocity_lu", table.number_or("velocity_lu", options.flow.velocity_lu),
         highest_velocity_lu);

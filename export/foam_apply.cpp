@@ -5,6 +5,7 @@
 #include "export/foam_inspection.hpp"
 #include "export/foam_sac.hpp"
 #include "export/foam_zones.hpp"
+#include "export/text_file.hpp"
 
 #include <nlohmann/json.hpp>
 

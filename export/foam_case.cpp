@@ -7,6 +7,7 @@
 #include "export/foam_scripts.hpp"
 #include "export/foam_surfaces.hpp"
 #include "export/foam_zones.hpp"
+#include "export/text_file.hpp"
 
 #include <fmt/format.h>
 

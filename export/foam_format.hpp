@@ -70,8 +70,4 @@ std::string foam_header(std::string_view class_name, std::string_view location,
 /// "(x y z)" with the digits that give the same value when read again.
 std::string foam_vector(const Vec3& v);
 
-/// Writes a whole file, creating its folder.
-/// @throws IoError if that fails
-void write_text_file(const std::filesystem::path& file, std::string_view text);
-
 }  // namespace braidzone

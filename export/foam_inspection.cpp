@@ -1,6 +1,7 @@
 #include "export/foam_inspection.hpp"
 
 #include "export/foam_format.hpp"
+#include "export/text_file.hpp"
 
 #include <fmt/format.h>
 

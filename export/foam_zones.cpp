@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "export/foam_cell_zones.hpp"
 #include "export/foam_format.hpp"
+#include "export/text_file.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>

@@ -4,13 +4,13 @@
 #include "export/lattice_arrays.hpp"
 #include "export/lattice_hemoflow.hpp"
 #include "export/lattice_openlb.hpp"
+#include "export/text_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 namespace braidzone {
 
@@ -100,13 +100,6 @@ const Target& entry_of(LatticeTarget target)
 {
     return *std::find_if(std::begin(targets), std::end(targets),
                          [&](const Target& entry) { return entry.target == target; });
-}
-
-void write_text(const fs::path& path, const std::string& text)
-{
-    std::ofstream file(path);
-    file << text;
-    if (!file.flush()) throw IoError(fmt::format("{} cannot be written", path.string()));
 }
 
 Json vector_as_json(const Vec3& v)
@@ -241,7 +234,7 @@ std::vector<std::string> write_lattice(const fs::path& folder, const LatticeNode
     for (const LatticeTarget target : options.targets) {
         const fs::path place = folder / target_name(target);
         fs::create_directories(place);
-        write_text(place / "README.md", entry_of(target).readme);
+        write_text_file(place / "README.md", entry_of(target).readme);
         switch (target) {
             case LatticeTarget::numpy:
                 write_lattice_arrays(place, nodes);
@@ -264,8 +257,8 @@ std::vector<std::string> write_lattice(const fs::path& folder, const LatticeNode
     for (const std::string& warning : unit_warnings(units, options.flow))
         notes.push_back(warning);
     fs::create_directories(folder);
-    write_text(folder / "lattice.json",
-               as_json(nodes, vessel, fluid, options, units, notes).dump(2) + "\n");
+    write_text_file(folder / "lattice.json",
+                    as_json(nodes, vessel, fluid, options, units, notes).dump(2) + "\n");
     return notes;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "export/npy_header.hpp"
+#include "export/text_file.hpp"
 
 #include <fmt/format.h>
 #include <minizip/zip.h>
@@ -10,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -170,13 +170,6 @@ std::vector<std::uint16_t> weights_of(const LatticeNodes& nodes, const NodeBox& 
     return weights;
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text)
-{
-    std::ofstream file(path);
-    file << text;
-    if (!file.flush()) throw IoError(fmt::format("{} cannot be written", path.string()));
-}
-
 void write_archive(const std::filesystem::path& path, const LatticeNodes& nodes,
                    const Vessel& vessel, const NodeBox& box,
                    const std::vector<std::uint16_t>& weights)
@@ -240,8 +233,8 @@ void write_hemoflow(const std::filesystem::path& folder, const LatticeNodes& nod
     write_archive(folder / "case.npz", nodes, vessel, box, weights_of(nodes, box, fluid, loss));
     const Opening& inlet =
         vessel.openings[static_cast<std::size_t>(nodes.openings.front().opening)];
-    write_text(folder / "setup.xml",
-               fmt::format(R"(<?xml version="1.0" ?>
+    write_text_file(folder / "setup.xml",
+                    fmt::format(R"(<?xml version="1.0" ?>
 
 <simulation>
     <Re>{:.9g}</Re>
@@ -261,10 +254,10 @@ void write_hemoflow(const std::filesystem::path& folder, const LatticeNodes& nod
     <quadCoeff>{:.9g}</quadCoeff>
 </flowdiverter>
 )",
-                           mean_velocity * 2.0 * inlet.radius / hemoflow_viscosity,
-                           loss.linear / weight_scale, loss.quadratic / weight_scale));
+                                mean_velocity * 2.0 * inlet.radius / hemoflow_viscosity,
+                                loss.linear / weight_scale, loss.quadratic / weight_scale));
     // Steady: the same factor at both ends of a second.
-    write_text(folder / "flow.txt", "2\n0 1\n1 1\n");
+    write_text_file(folder / "flow.txt", "2\n0 1\n1 1\n");
 }
 
 }  // namespace braidzone

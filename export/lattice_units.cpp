@@ -16,7 +16,6 @@ LatticeUnits propose_units(const LatticeNodes& nodes, const Fluid& fluid,
         throw ConfigError(fmt::format("peak velocity {:.6g} m/s of a lattice: must be positive",
                                       options.peak_velocity));
     }
-    constexpr double highest_velocity_lu = 0.2;
     if (!(options.velocity_lu > 0.0 && options.velocity_lu <= highest_velocity_lu)) {
         throw ConfigError(fmt::format(
             "velocity {:.6g} of a lattice, in lattice units: must be positive, {:.6g} at most",

@@ -8,6 +8,9 @@
 
 namespace braidzone {
 
+/// Above this velocity in lattice units, a Mach number of 0.35, flow is no longer incompressible.
+inline constexpr double highest_velocity_lu = 0.2;
+
 /// What a lattice's time step follows from.
 struct LatticeFlowOptions {
     double peak_velocity = 0.6;  ///< largest expected in the vessel [m/s]; > 0

@@ -1,6 +1,7 @@
 #include "export/foam_apply.hpp"
 #include "export/foam_cell_zones.hpp"
 #include "export/foam_format.hpp"
+#include "export/text_file.hpp"
 #include "support/braids.hpp"
 #include "support/foam_box.hpp"
 #include "support/temporary_folder.hpp"

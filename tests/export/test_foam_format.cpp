@@ -1,5 +1,6 @@
 #include "core/error.hpp"
 #include "export/foam_format.hpp"
+#include "export/text_file.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 #include "export/foam_case.hpp"
 #include "export/foam_format.hpp"
 #include "export/foam_mesh.hpp"
+#include "export/text_file.hpp"
 #include "external/openfoam.hpp"
 #include "support/braids.hpp"
 #include "support/temporary_folder.hpp"

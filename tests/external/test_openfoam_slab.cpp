@@ -4,6 +4,7 @@
 #include "export/foam_apply.hpp"
 #include "export/foam_dictionaries.hpp"
 #include "export/foam_format.hpp"
+#include "export/text_file.hpp"
 #include "external/openfoam.hpp"
 #include "support/braids.hpp"
 #include "support/temporary_folder.hpp"
