@@ -32,12 +32,11 @@ of `../lattice.json` times that.
 )";
 
 constexpr const char* openlb_readme = R"(# OpenLB
-`olb_porosity.vdb`: for `AnalyticalPorosityVolumeF` (FEATURES = VDB) and `PorousBGKdynamics`:
+`olb_porosity.vdb`: for a driver that gives the functor
 
-    AnalyticalPorosityVolumeF<T> porosity("olb_porosity.vdb", converter.getPhysDeltaX());
-    superLattice.defineField<descriptors::POROSITY>(superGeometry, material, porosity);
+    AnalyticalPorosityVolumeF<T> porosity("olb_porosity.vdb", spacing);
 
-It holds for the time step, velocity and viscosity of `../lattice.json` only. Nodes must lie at
+(FEATURES with VDB) as the field POROSITY to `PorousBGKdynamics`. It holds for the time step, velocity and viscosity of `../lattice.json` only. Nodes must lie at
 (i + 1/2) dx from the origin of the reader. Linear part only; the same along and across the sheet.
 
 `case.vti`: for a driver with `BlockVTIreader3D`: `flags` (0 unused, 1 wall, 2 fluid, 10 inlet, 11, 12,
@@ -59,7 +58,7 @@ constexpr const char* walberla_readme = R"(# waLBerla
 `mask_u8.raw`: a byte for each node, x fastest, 1 where there is fluid or an opening, else 0. For
 `geometry::BinaryRawFile` with the `dims` of `../lattice.json`:
 
-    BinaryRawFile { file mask_u8.raw; size < NX, NY, NZ >; datatype uint8; }
+    BinaryRawFile { filename mask_u8.raw; size < NX, NY, NZ >; datatype uint8; }
 
 The walls only: the device's resistance is not in it.
 )";
@@ -83,17 +82,21 @@ struct Target {
     LatticeTarget target;
     const char* name;
     const char* readme;
-    bool has_linear;     ///< takes the linear resistance
-    bool has_quadratic;  ///< takes the quadratic one
-    bool has_normal;     ///< takes a tensor
+    bool has_linear;              ///< takes the linear resistance
+    const char* quadratic_limit;  ///< what it takes of the quadratic one; null: all
+    bool has_normal;              ///< takes a tensor
 };
 
 constexpr Target targets[] = {
-    {LatticeTarget::numpy, "numpy", numpy_readme, true, true, true},
-    {LatticeTarget::openlb, "openlb", openlb_readme, true, false, false},
-    {LatticeTarget::palabos, "palabos", palabos_readme, false, false, false},
-    {LatticeTarget::walberla, "walberla", walberla_readme, false, false, false},
-    {LatticeTarget::hemoflow, "hemoflow", hemoflow_readme, true, true, false},
+    {LatticeTarget::numpy, "numpy", numpy_readme, true, nullptr, true},
+    {LatticeTarget::openlb, "openlb", openlb_readme, true, "the linear part of the resistance only",
+     false},
+    {LatticeTarget::palabos, "palabos", palabos_readme, false, nullptr, false},
+    {LatticeTarget::walberla, "walberla", walberla_readme, false, nullptr, false},
+    {LatticeTarget::hemoflow, "hemoflow", hemoflow_readme, true,
+     "the quadratic part in one ratio to the linear one, on each component of the velocity by "
+     "itself",
+     false},
 };
 
 const Target& entry_of(LatticeTarget target)
@@ -165,14 +168,12 @@ std::vector<std::string> lattice_notes(const LatticeNodes& nodes,
                                         entry.name));
             continue;
         }
-        if (!entry.has_quadratic && is_quadratic)
-            notes.push_back(fmt::format("lattice: {} takes the linear part of the resistance only",
-                                        entry.name));
+        if (entry.quadratic_limit != nullptr && is_quadratic)
+            notes.push_back(fmt::format("lattice: {} takes {}", entry.name, entry.quadratic_limit));
         if (!entry.has_normal && nodes.tangential_ratio.linear != 1.0)
             notes.push_back(
                 fmt::format("lattice: {} has one resistance for all directions: the normal one, "
-                            "instead of {:.4g} "
-                            "times that along the sheet",
+                            "instead of {:.4g} times that along the sheet",
                             entry.name, nodes.tangential_ratio.linear));
     }
     return notes;

@@ -10,21 +10,13 @@
 
 namespace braidzone {
 
-namespace {
-
-void require_positive_edge(double longest_edge)
-{
-    if (longest_edge > 0.0) return;
-    throw InputError(
-        fmt::format("pieces of the sheet with edges of {:.6g} m: must be positive", longest_edge));
-}
-
-}  // namespace
-
 std::vector<SheetPiece> cut_into_pieces(const BraidSurface& surface, std::size_t rhombus,
                                         double longest_edge)
 {
-    require_positive_edge(longest_edge);
+    if (!(longest_edge > 0.0)) {
+        throw InputError(fmt::format("pieces of the sheet with edges of {:.6g} m: must be positive",
+                                     longest_edge));
+    }
     const auto corner = [&](std::size_t i) -> const Vec3& {
         return surface.points[static_cast<std::size_t>(surface.corners[rhombus][i])];
     };
@@ -48,23 +40,32 @@ std::vector<SheetPiece> cut_into_pieces(const BraidSurface& surface, std::size_t
     return pieces;
 }
 
-std::vector<SheetPiece> cut_into_pieces(const BraidSurface& surface, double longest_edge)
-{
-    require_positive_edge(longest_edge);
-    std::vector<SheetPiece> all;
-    for (std::size_t rhombus = 0; rhombus < surface.rhombi.size(); ++rhombus) {
-        const std::vector<SheetPiece> pieces = cut_into_pieces(surface, rhombus, longest_edge);
-        all.insert(all.end(), pieces.begin(), pieces.end());
-    }
-    return all;
-}
-
 double cosine_kernel(double distance, double half_width)
 {
     if (!(std::abs(distance) < half_width)) {
         return 0.0;
     }
     return (1.0 + std::cos(std::numbers::pi * distance / half_width)) / (2.0 * half_width);
+}
+
+CosineWeights::CosineWeights(int half_width)
+    : half_width_(half_width), values_(static_cast<std::size_t>(2 * half_width))
+{
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+        const double angle = std::numbers::pi * static_cast<double>(i) / half_width;
+        turns_.emplace_back(std::cos(angle), std::sin(angle));
+    }
+}
+
+void CosineWeights::evaluate(double position)
+{
+    first_ = static_cast<int>(std::floor(position)) - half_width_ + 1;
+    const double angle = std::numbers::pi * (position - first_) / half_width_;
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+        const double turned = cosine * turns_[i][0] + sine * turns_[i][1];
+        values_[i] = std::max(0.0, (1.0 + turned) / (2.0 * half_width_));
+    }
 }
 
 }  // namespace braidzone

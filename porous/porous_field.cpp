@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -141,42 +140,6 @@ CubeMarks cubes_around(const BraidSurface& surface, const VoxelGrid& grid, int h
     return marks;
 }
 
-/// Kernel weights of a point along one axis: those of 2 m voxels from `first` on. The cosine of
-/// each follows from the first one's by the sum of angles, which costs one evaluation instead of 2
-/// m.
-class AxisWeights {
-public:
-    explicit AxisWeights(int half_width)
-        : half_width_(half_width), values_(static_cast<std::size_t>(2 * half_width))
-    {
-        for (std::size_t i = 0; i < values_.size(); ++i) {
-            const double angle = std::numbers::pi * static_cast<double>(i) / half_width;
-            turns_.emplace_back(std::cos(angle), std::sin(angle));
-        }
-    }
-
-    /// @param position  in units of the spacing
-    void evaluate(double position)
-    {
-        first_ = static_cast<int>(std::floor(position)) - half_width_ + 1;
-        const double angle = std::numbers::pi * (position - first_) / half_width_;
-        const double cosine = std::cos(angle), sine = std::sin(angle);
-        for (std::size_t i = 0; i < values_.size(); ++i) {
-            const double turned = cosine * turns_[i][0] + sine * turns_[i][1];
-            values_[i] = std::max(0.0, (1.0 + turned) / (2.0 * half_width_));
-        }
-    }
-
-    int first() const { return first_; }
-    double operator[](int i) const { return values_[static_cast<std::size_t>(i)]; }
-
-private:
-    int half_width_;
-    int first_ = 0;
-    std::vector<Vec2> turns_;
-    std::vector<double> values_;
-};
-
 /// Spreads the pieces of one rhombus over the fluid voxels around them.
 RhombusShares spread(const BraidSurface& surface, std::size_t rhombus, const VoxelGrid& grid,
                      const VoxelWallDistance& wall_distance, int half_width)
@@ -196,7 +159,7 @@ RhombusShares spread(const BraidSurface& surface, std::size_t rhombus, const Vox
 
     RhombusShares result;
     const int width = 2 * half_width;
-    AxisWeights along_x(half_width), along_y(half_width), along_z(half_width);
+    CosineWeights along_x(half_width), along_y(half_width), along_z(half_width);
     std::vector<double> weights(static_cast<std::size_t>(width * width * width));
     for (const SheetPiece& piece : cut_into_pieces(surface, rhombus, piece_edge * grid.spacing)) {
         const Vec3 position = (piece.position - grid.origin) / grid.spacing;
@@ -243,8 +206,11 @@ RhombusShares spread(const BraidSurface& surface, std::size_t rhombus, const Vox
 {
     throw GeometryError(fmt::format(
         "the device has no lumen around it at ({:.6g}, {:.6g}, {:.6g}) mm, rhombus {}: no voxel "
-        "centre within {} voxels of {:.6g} mm lies in the vessel; a smaller grid.spacing helps if "
-        "the device is there",
+        "centre within {} voxels of {:.6g} mm lies in the vessel. If the device is there: a "
+        "smaller "
+        "grid.spacing where that is coarse against the lumen, a larger grid.kernel_half_width "
+        "where "
+        "it is so fine that the braid's facets stand out of the wall",
         1e3 * piece.position[0], 1e3 * piece.position[1], 1e3 * piece.position[2], piece.rhombus,
         options.kernel_half_width, 1e3 * options.spacing));
 }

@@ -291,6 +291,17 @@ TEST_F(LatticeExport, NumpyReadsWhatHemoFlowReads)
     EXPECT_EQ(outside, 0);
 }
 
+TEST_F(LatticeExport, NotesSayWhatHemoFlowMakesOfTheQuadraticPart)
+{
+    const TubeLattice tube;
+    LatticeExportOptions options;
+    options.targets = {LatticeTarget::hemoflow};
+    const std::vector<std::string> notes =
+        write_lattice(folder(), tube.nodes, tube.vessel, Fluid{1055.0, 3.4e-3}, options);
+    EXPECT_THAT(notes, ::testing::Contains(::testing::HasSubstr(
+                           "hemoflow takes the quadratic part in one ratio to the linear one")));
+}
+
 TEST_F(LatticeExport, HemoFlowWantsOpeningsOnTheFacesOfTheBox)
 {
     TubeLattice tube;

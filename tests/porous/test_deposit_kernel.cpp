@@ -45,13 +45,28 @@ TEST(CosineKernel, IsEvenAndEndsAtItsHalfWidth)
     EXPECT_EQ(cosine_kernel(std::nan(""), 2.0), 0.0);
 }
 
+TEST(CosineWeights, AreTheKernelAtTheIntegersAround)
+{
+    for (const int half_width : {1, 2, 3}) {
+        CosineWeights weights(half_width);
+        for (const double position : {7.0, 7.3, 7.999, -2.4}) {
+            weights.evaluate(position);
+            EXPECT_EQ(weights.first(), static_cast<int>(std::floor(position)) - half_width + 1);
+            for (int i = 0; i < 2 * half_width; ++i) {
+                EXPECT_NEAR(weights[i], cosine_kernel(position - weights.first() - i, half_width),
+                            1e-15);
+            }
+        }
+    }
+}
+
 // Cells of 0.4 x 0.1 mm and pieces of at most 0.15 mm: 3 x 3 pieces of a ninth of the area, at the
 // middles of thirds.
 TEST(CutIntoPieces, SharesTheAreaAmongEqualPieces)
 {
     const BraidSurface surface =
         test::flat_braid(Vec3(0, 0, 1e-3), Vec3(0.4e-3, 0, 0), 2, Vec3(0, 0.1e-3, 0), 1, 20e-6);
-    const std::vector<SheetPiece> pieces = cut_into_pieces(surface, 0.15e-3);
+    const std::vector<SheetPiece> pieces = test::pieces_of(surface, 0.15e-3);
     ASSERT_EQ(pieces.size(), 18U);
     for (const SheetPiece& piece : pieces)
         EXPECT_NEAR(piece.area, 4e-8 / 9.0, 1e-20);
@@ -66,7 +81,7 @@ TEST(CutIntoPieces, LeavesSmallRhombiWhole)
 {
     const BraidSurface surface =
         test::flat_braid(Vec3::Zero(), Vec3(1e-4, 0, 0), 3, Vec3(0, 1e-4, 0), 2, 20e-6);
-    const std::vector<SheetPiece> pieces = cut_into_pieces(surface, 1e-3);
+    const std::vector<SheetPiece> pieces = test::pieces_of(surface, 1e-3);
     ASSERT_EQ(pieces.size(), 6U);
     for (std::size_t i = 0; i < 6; ++i) {
         EXPECT_NEAR((pieces[i].position - surface.centres[i]).norm(), 0.0, 1e-18);
@@ -75,8 +90,10 @@ TEST(CutIntoPieces, LeavesSmallRhombiWhole)
 
 TEST(CutIntoPieces, RefusesPiecesWithoutSize)
 {
-    EXPECT_THROW(cut_into_pieces(BraidSurface{}, 0.0), InputError);
-    EXPECT_THROW(cut_into_pieces(BraidSurface{}, std::nan("")), InputError);
+    const BraidSurface surface =
+        test::flat_braid(Vec3::Zero(), Vec3(1e-4, 0, 0), 1, Vec3(0, 1e-4, 0), 1, 20e-6);
+    EXPECT_THROW(cut_into_pieces(surface, 0, 0.0), InputError);
+    EXPECT_THROW(cut_into_pieces(surface, 0, std::nan("")), InputError);
 }
 
 }  // namespace

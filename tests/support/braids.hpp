@@ -2,6 +2,7 @@
 
 #include "deploy/deployment.hpp"
 #include "porous/braid_surface.hpp"
+#include "porous/deposit_kernel.hpp"
 
 #include <cmath>
 #include <vector>
@@ -60,6 +61,17 @@ inline BraidSurface flat_braid(const Vec3& origin, const Vec3& edge_a, int count
         }
     }
     return make_braid_surface(points, corners, wire_diameter, edge_a.cross(edge_b).norm());
+}
+
+/// The pieces of all rhombi, in their order.
+inline std::vector<SheetPiece> pieces_of(const BraidSurface& surface, double longest_edge)
+{
+    std::vector<SheetPiece> all;
+    for (std::size_t rhombus = 0; rhombus < surface.rhombi.size(); ++rhombus) {
+        const std::vector<SheetPiece> pieces = cut_into_pieces(surface, rhombus, longest_edge);
+        all.insert(all.end(), pieces.begin(), pieces.end());
+    }
+    return all;
 }
 
 }  // namespace braidzone::test

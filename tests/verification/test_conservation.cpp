@@ -308,7 +308,7 @@ TEST(Conservation, LineIntegralsThroughACurvedSheetConvergeWithSecondOrder)
             };
             const ResistanceSheet sheet = curved_sheet(0.0, shift);
             double exact = 0.0;
-            for (const SheetPiece& piece : cut_into_pieces(sheet.surface, 0.02e-3)) {
+            for (const SheetPiece& piece : test::pieces_of(sheet.surface, 0.02e-3)) {
                 exact +=
                     sheet_darcy(sheet, piece.rhombus) * piece.area * inverse_radius(piece.position);
             }

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace braidzone::test {
@@ -65,6 +66,14 @@ struct ResolvedBraid {
     double cells_per_diameter = 0.0;  ///< on the finer grid
 };
 
+/// The cell of a braid on a coarser grid and on its own.
+std::pair<BraidCell, BraidCell> two_grids(const ResolvedBraid& braid, double height)
+{
+    const Braid shape{braid.solidity, braid.crossing_angle_deg * degree};
+    return {make_braid_cell(shape, braid.cells_per_diameter / grid_ratio, height),
+            make_braid_cell(shape, braid.cells_per_diameter, height)};
+}
+
 void write_inertia(const std::filesystem::path& folder)
 {
     const std::vector<double> reynolds_numbers{1.0, 2.0};
@@ -81,10 +90,7 @@ void write_inertia(const std::filesystem::path& folder)
                                        {0.22, 90.0, 8.5},
                                        {0.30, 90.0, 10.0},
                                        {0.40, 90.0, 12.0}}) {
-        const Braid shape{braid.solidity, braid.crossing_angle_deg * degree};
-        const BraidCell coarse_cell =
-            make_braid_cell(shape, braid.cells_per_diameter / grid_ratio, height);
-        const BraidCell cell = make_braid_cell(shape, braid.cells_per_diameter, height);
+        const auto [coarse_cell, cell] = two_grids(braid, height);
         const std::vector<double> coarse =
             losses_with_inertia(coarse_cell, reynolds_numbers, viscosity_lu);
         const std::vector<double> fine = losses_with_inertia(cell, reynolds_numbers, viscosity_lu);
@@ -120,10 +126,7 @@ void write_slip(const std::filesystem::path& folder)
                                        {0.176, 60.0, 8.0},
                                        {0.176, 42.0, 7.5},
                                        {0.30, 90.0, 12.0}}) {
-        const Braid shape{braid.solidity, braid.crossing_angle_deg * degree};
-        const BraidCell coarse_cell =
-            make_braid_cell(shape, braid.cells_per_diameter / grid_ratio, height);
-        const BraidCell cell = make_braid_cell(shape, braid.cells_per_diameter, height);
+        const auto [coarse_cell, cell] = two_grids(braid, height);
         for (const double direction : {0.0, 90.0}) {
             if (direction > 0.0 && braid.crossing_angle_deg == 90.0)
                 continue;  // the same by symmetry
