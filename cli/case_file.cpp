@@ -158,6 +158,13 @@ FoamCaseOptions read_foam_options(const TomlTable& table)
         integer_in_range(table, "surface_refinement", options.surface_refinement, 0, 8);
     options.device_refinement =
         integer_in_range(table, "device_refinement", options.device_refinement, 0, 8);
+    std::vector<std::string> names;
+    for (const FoamFormTraits& form : foam_forms())
+        names.emplace_back(form.name);
+    const std::string name = one_of(table, "form", traits_of(options.form).name, names);
+    const auto found = std::find(names.begin(), names.end(), name);
+    options.form = foam_forms()[static_cast<std::size_t>(found - names.begin())].form;
+    options.most_zones = integer_in_range(table, "most_zones", options.most_zones, 1, 4096);
     return options;
 }
 

@@ -181,7 +181,9 @@ Json export_sections(const Exports& exports)
                                                                Dimension::velocity)},
                             {"coarse_cell", length(exports.openfoam->coarse_cell)},
                             {"surface_refinement", exports.openfoam->surface_refinement},
-                            {"device_refinement", exports.openfoam->device_refinement}});
+                            {"device_refinement", exports.openfoam->device_refinement},
+                            {"form", traits_of(exports.openfoam->form).name},
+                            {"most_zones", exports.openfoam->most_zones}});
     }
     if (exports.lattice) {
         std::vector<std::string> names;

@@ -69,7 +69,9 @@ void apply_case_to_foam(const std::filesystem::path& case_file,
     Progress progress(options.quiet);
     const Chain chain = run_chain(job, Stage::deploy, progress);
     progress.begin("export", "applying the resistance to the mesh");
-    const FoamApplication applied = apply_to_foam_case(foam_case, chain.resistance);
+    const FoamCaseOptions foam = job.exports.openfoam.value_or(FoamCaseOptions{});
+    const FoamApplication applied = apply_to_foam_case(
+        foam_case, chain.resistance, {.form = foam.form, .most_zones = foam.most_zones});
     progress.end();
 
     for (const std::string& warning : applied.warnings)
@@ -79,7 +81,7 @@ void apply_case_to_foam(const std::filesystem::path& case_file,
         "{}\n  {} of {} cells in {} zones; Darcy integral {:.6g} m of the sheet, {:.6g} m of the "
         "zones\n",
         title(job), applied.num_resistant_cells, applied.num_cells, applied.num_zones,
-        applied.integral_sheet, applied.integral_zones);
+        applied.integral_sheet, applied.integral_mesh);
     if (applied.sac_volume) fmt::print("  sac {:.4g} mm3\n", 1e9 * *applied.sac_volume);
     for (const auto& file : applied.files)
         fmt::print("  {}\n", file.string());

@@ -1,15 +1,23 @@
 #include "export/foam_apply.hpp"
 
+#include "core/error.hpp"
+#include "core/triangle_mesh.hpp"
 #include "export/foam_cell_zones.hpp"
-#include "export/foam_format.hpp"
 #include "export/foam_inspection.hpp"
+#include "export/foam_per_cell.hpp"
+#include "export/foam_porous_source.hpp"
 #include "export/foam_sac.hpp"
+#include "export/foam_thin_layer.hpp"
+#include "export/foam_viscosity.hpp"
 #include "export/foam_zones.hpp"
 #include "export/text_file.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace braidzone {
 
@@ -18,13 +26,78 @@ namespace {
 constexpr const char* sac_zone = "sac";
 const std::filesystem::path functions_file = std::filesystem::path("system") / "fdFunctions";
 
-/// Replaces the cell zone of the sac by these cells; removes it if there are none.
-void write_sac_zone(const std::filesystem::path& foam_case, const std::vector<int>& sac)
+/// Replaces the cell zones that an earlier call wrote.
+void replace_device_zones(const std::filesystem::path& foam_case,
+                          const std::vector<FoamCellZone>& device_zones)
 {
     std::vector<FoamCellZone> zones = read_cell_zones(foam_case);
-    std::erase_if(zones, [](const FoamCellZone& zone) { return zone.name == sac_zone; });
-    if (!sac.empty()) zones.push_back({sac_zone, sac});
+    std::erase_if(zones, [](const FoamCellZone& zone) {
+        return zone.name == sac_zone || zone.name == per_cell_zone || zone.name.starts_with("FD_");
+    });
+    zones.insert(zones.end(), device_zones.begin(), device_zones.end());
     write_cell_zones(foam_case, zones);
+}
+
+/// Refuses a mesh in millimetres: the device in metres would be lost in one of its cells.
+void require_metres(const FoamMesh& mesh, const ResistanceSheet& sheet)
+{
+    const auto extent = [](const std::vector<Vec3>& points) {
+        const Box box = bounding_box({points, {}});
+        return (box.upper - box.lower).norm();
+    };
+    const double mesh_extent = extent(mesh.points), device_extent = extent(sheet.surface.points);
+    if (mesh_extent <= 300.0 * device_extent) return;
+    throw GeometryError(fmt::format(
+        "the mesh is {:.4g} m across and the device {:.4g} m: is the mesh in millimetres? OpenFOAM "
+        "reads metres; transformPoints -scale \"(0.001 0.001 0.001)\" makes them of millimetres",
+        mesh_extent, device_extent));
+}
+
+/// What a form puts into a case.
+struct DeviceInCase {
+    std::vector<FoamZone> zones;
+    std::vector<FoamCellZone> cell_zones;
+    std::vector<FoamPorousSource> sources;
+    std::string functions;
+    double integral = 0.0;  ///< of what is written [m]
+    std::vector<std::filesystem::path> files;
+    std::vector<std::string> notes;
+};
+
+DeviceInCase in_zones(const CellResistance& resistance, const FoamMesh& mesh, int most_zones)
+{
+    DeviceInCase device;
+    device.zones = cluster(resistance, mesh, most_zones);
+    device.cell_zones = named_zones(device.zones);
+    device.sources = zone_sources(device.zones, resistance.tangential_ratio);
+    device.integral = resistance_integral(device.zones);
+    return device;
+}
+
+/// The linear part in every cell; the quadratic part, for which stock solvers know no field, in
+/// zones.
+DeviceInCase in_cells(const std::filesystem::path& foam_case, const CellResistance& resistance,
+                      const FoamMesh& mesh, const Fluid& fluid, int most_zones)
+{
+    CellResistance quadratic = resistance;
+    std::fill(quadratic.darcy.begin(), quadratic.darcy.end(), 0.0);
+    quadratic.tangential_ratio.linear = resistance.tangential_ratio.quadratic;
+    DeviceInCase device = in_zones(quadratic, mesh, most_zones);
+
+    const auto fields = directed_fields(resistance);
+    if (!fields.empty()) device.cell_zones.push_back({per_cell_zone, resistance.cells});
+    const auto sources = per_cell_sources(fields);
+    device.sources.insert(device.sources.end(), sources.begin(), sources.end());
+    const double viscosity = fluid.viscosity / fluid.density;
+    device.files = write_directed_fields(foam_case, fields, resistance, mesh, viscosity);
+    device.functions = directed_field_functions(fields);
+    device.integral = resistance_integral(resistance, mesh);
+    device.notes.push_back(
+        fmt::format("the fields hold the viscosity {:.6g} m^2/s: export again if it changes. They "
+                    "are for OpenFOAM of openfoam.com, whose controlDict must have functions {{ "
+                    "#includeIfPresent \"fdFunctions\" }}",
+                    viscosity));
+    return device;
 }
 
 /// Function objects that report the mean speed in the sac at every iteration.
@@ -49,15 +122,49 @@ std::string sac_functions()
            "}\n";
 }
 
-nlohmann::json quantity(double value, const char* unit)
+/// What is wrong with the viscosity of the case, if anything.
+std::optional<std::string> viscosity_warning(const std::filesystem::path& foam_case,
+                                             const Fluid& fluid)
+{
+    const std::optional<double> found = case_viscosity(foam_case);
+    const double expected = fluid.viscosity / fluid.density;
+    if (!found || std::abs(*found - expected) <= 1e-3 * expected) return std::nullopt;
+    return fmt::format(
+        "the case has a kinematic viscosity of {:.6g} m^2/s and the resistance belongs to {:.6g} "
+        "m^2/s ({:.6g} Pa s over {:.6g} kg/m^3): set fluid.viscosity and fluid.density, or "
+        "constant/transportProperties",
+        *found, expected, fluid.viscosity, fluid.density);
+}
+
+/// The expected error of the pressure drop at some velocities through the device's mean resistance.
+nlohmann::ordered_json thin_layer_errors(double cells_across, const ResistanceSheet& sheet)
+{
+    auto errors = nlohmann::ordered_json::array();
+    const std::optional<SheetLoss> loss = mean_acting_loss(sheet);
+    if (!loss || !(cells_across > 0.0)) return errors;
+    for (const double velocity : {0.01, 0.03, 0.1}) {
+        const double loss_factor =
+            2.0 * (loss->linear / velocity + loss->quadratic) / sheet.fluid.density;
+        if (!(loss_factor > 0.0)) continue;
+        errors.push_back({{"velocity_m_s", velocity},
+                          {"loss_factor", loss_factor},
+                          {"relative_error", thin_layer_error(cells_across, loss_factor)}});
+    }
+    return errors;
+}
+
+nlohmann::ordered_json quantity(double value, const char* unit)
 {
     return {{"value", value}, {"unit", unit}};
 }
 
-std::string report(const FoamApplication& result, const std::vector<FoamZone>& zones,
-                   const ResistanceSheet& sheet, const FoamApplyOptions& options)
+std::string report(const FoamApplication& result, const DeviceInCase& device,
+                   const CellResistance& resistance, const ResistanceSheet& sheet,
+                   const FoamApplyOptions& options)
 {
-    nlohmann::json json;
+    const FoamFormTraits& form = traits_of(options.form);
+    nlohmann::ordered_json json;
+    json["form"] = {{"name", form.name}, {"keeps", form.keeps}, {"loses", form.loses}};
     json["convention"] =
         "S = -(mu D + 1/2 rho |U| F) U per volume; D, F along the zone's normal, and "
         "tangential_ratio times that along the sheet (F: tangential_ratio_quadratic times)";
@@ -69,14 +176,16 @@ std::string report(const FoamApplication& result, const std::vector<FoamZone>& z
     json["num_cells"] = result.num_cells;
     json["num_resistant_cells"] = result.num_resistant_cells;
     json["resistance_integral_surface"] = quantity(result.integral_sheet, "m");
-    json["resistance_integral_zones"] = quantity(result.integral_zones, "m");
+    json["resistance_integral_mesh"] = quantity(result.integral_mesh, "m");
     json["relative_difference"] =
-        result.integral_sheet > 0.0 ? result.integral_zones / result.integral_sheet - 1.0 : 0.0;
+        result.integral_sheet > 0.0 ? result.integral_mesh / result.integral_sheet - 1.0 : 0.0;
+    json["cells_across"] = resistance.cells_across;
+    json["thin_layer_error"] = thin_layer_errors(resistance.cells_across, sheet);
     json["sac_volume"] =
-        result.sac_volume ? quantity(*result.sac_volume, "m^3") : nlohmann::json(nullptr);
-    json["zones"] = nlohmann::json::array();
-    for (std::size_t i = 0; i < zones.size(); ++i) {
-        const FoamZone& zone = zones[i];
+        result.sac_volume ? quantity(*result.sac_volume, "m^3") : nlohmann::ordered_json(nullptr);
+    json["zones"] = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < device.zones.size(); ++i) {
+        const FoamZone& zone = device.zones[i];
         json["zones"].push_back({{"name", foam_zone_name(i)},
                                  {"num_cells", zone.cells.size()},
                                  {"volume", quantity(zone.volume, "m^3")},
@@ -94,38 +203,55 @@ FoamApplication apply_to_foam_case(const std::filesystem::path& foam_case,
                                    const ResistanceSheet& sheet, const FoamApplyOptions& options)
 {
     const FoamMesh mesh = read_foam_mesh(foam_case);
+    require_metres(mesh, sheet);
     const CellResistance resistance = deposit(sheet, mesh, options.deposit);
-    const std::vector<FoamZone> zones = cluster(resistance, mesh, options.most_zones);
     const std::vector<int> sac = find_sac(resistance, mesh);
+
+    remove_directed_fields(foam_case);
+    DeviceInCase device =
+        options.form == FoamForm::per_cell
+            ? in_cells(foam_case, resistance, mesh, sheet.fluid, options.most_zones)
+            : in_zones(resistance, mesh, options.most_zones);
+    if (!sac.empty()) device.cell_zones.push_back({sac_zone, sac});
+    replace_device_zones(foam_case, device.cell_zones);
 
     FoamApplication result;
     result.num_cells = mesh.num_cells();
     result.num_resistant_cells = static_cast<int>(resistance.cells.size());
-    result.num_zones = static_cast<int>(zones.size());
+    result.num_zones = static_cast<int>(device.zones.size());
     result.integral_sheet = resistance_integral(sheet);
-    result.integral_zones = resistance_integral(zones);
+    result.integral_mesh = device.integral;
     result.warnings = resistance.warnings;
-    if (zones.empty())
+    result.warnings.insert(result.warnings.end(), device.notes.begin(), device.notes.end());
+    if (device.sources.empty())
         result.warnings.push_back(
             "the device meets no flow: it lies on the wall everywhere, and no zone is written");
+    if (const auto warning = viscosity_warning(foam_case, sheet.fluid))
+        result.warnings.push_back(*warning);
 
-    write_foam_zones(foam_case, zones, sheet.tangential_ratio);
-    write_sac_zone(foam_case, sac);
-    result.files = {"constant/polyMesh/cellZones", "constant/fvOptions", "constant/fvModels"};
-    if (sac.empty()) {
-        std::filesystem::remove(foam_case / functions_file);
-    } else {
+    result.files = {"constant/polyMesh/cellZones"};
+    const auto add_files = [&](const std::vector<std::filesystem::path>& files) {
+        result.files.insert(result.files.end(), files.begin(), files.end());
+    };
+    add_files(write_porous_sources(foam_case, device.sources));
+    add_files(device.files);
+    if (!sac.empty()) {
         double volume = 0.0;
         for (const int cell : sac)
             volume += mesh.cell_volumes[static_cast<std::size_t>(cell)];
         result.sac_volume = volume;
-        write_text_file(foam_case / functions_file, sac_functions());
+        device.functions += sac_functions();
+    }
+    if (device.functions.empty()) {
+        std::filesystem::remove(foam_case / functions_file);
+    } else {
+        write_text_file(foam_case / functions_file, device.functions);
         result.files.push_back(functions_file);
     }
-    for (const auto& file : write_inspection_fields(foam_case, mesh, resistance, zones))
-        result.files.push_back(file);
+    add_files(write_inspection_fields(foam_case, mesh, resistance, device.zones));
     result.files.emplace_back("fd_export.json");
-    write_text_file(foam_case / "fd_export.json", report(result, zones, sheet, options));
+    write_text_file(foam_case / "fd_export.json",
+                    report(result, device, resistance, sheet, options));
     return result;
 }
 

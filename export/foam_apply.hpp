@@ -1,5 +1,6 @@
 #pragma once
 
+#include "export/foam_form.hpp"
 #include "export/foam_resistance.hpp"
 
 #include <filesystem>
@@ -10,7 +11,8 @@
 namespace braidzone {
 
 struct FoamApplyOptions {
-    FoamDepositOptions deposit;
+    FoamDepositOptions deposit = {};
+    FoamForm form = FoamForm::zones;
     int most_zones = 64;  ///< see `cluster`
 };
 
@@ -18,9 +20,9 @@ struct FoamApplyOptions {
 struct FoamApplication {
     int num_cells = 0;                         ///< of the mesh
     int num_resistant_cells = 0;               ///< with resistance
-    int num_zones = 0;                         ///< porous zones FD_0000, ...
+    int num_zones = 0;                         ///< FD_0000, ...
     double integral_sheet = 0.0;               ///< Darcy integral over the sheet [m]
-    double integral_zones = 0.0;               ///< sum over zones of D times volume [m]
+    double integral_mesh = 0.0;                ///< the same, of what was written [m]
     std::optional<double> sac_volume;          ///< of cell zone "sac" [m^3]; see `find_sac`
     std::vector<std::filesystem::path> files;  ///< written, relative to the case
     std::vector<std::string> warnings;
@@ -29,18 +31,24 @@ struct FoamApplication {
 /// Applies the device to an existing OpenFOAM mesh: `braidzone export CASE.toml --onto FOAM_CASE`.
 ///
 /// Reads constant/polyMesh, deposits the sheet, and writes
-/// - constant/polyMesh/cellZones: zones FD_* and, where the device closes off a sac, "sac"
-/// - constant/fvOptions and its copy constant/fvModels: the resistance of the zones
-/// - system/fdFunctions: function object for the mean speed in the sac, to be included in
-///   controlDict (`functions { #includeIfPresent "fdFunctions" }`); absent without a sac
+/// - constant/polyMesh/cellZones: the zones of the form (FD_*, FD) and, where the device closes off
+/// a
+///   sac, "sac"; zones of the mesh are kept, those of an earlier call replaced
+/// - constant/fdPorosity: the resistance, included by constant/fvOptions and constant/fvModels
+/// - system/fdFunctions: function objects that the form needs, and one for the mean speed in the
+///   sac; to be included in controlDict (`functions { #includeIfPresent "fdFunctions" }`)
 /// - 0/fdDarcy, fdForchheimer, fdNormal, fdVoidFraction, fdSurfaceDensity, fdZone: for inspection;
 ///   no solver reads them
-/// - fd_export.json: units, zones, integrals, checks
+/// - with `per_cell`: 0/fdNuD_*, which the solver reads
+/// - fd_export.json: form, units, zones, integrals, checks
 ///
 /// The fluid's density does not enter: D and F are properties of the sheet. The viscosity that the
-/// solver multiplies D with must be the sheet's (constant/transportProperties of the same case).
+/// solver multiplies D with must be the sheet's; a warning says so if constant/transportProperties
+/// holds another one.
 ///
-/// @throws what `read_foam_mesh`, `deposit` and `write_foam_zones` throw
+/// @throws GeometryError if the mesh is more than 300 times as large as the device (millimetres
+/// taken
+///         for metres); else what `read_foam_mesh`, `deposit` and `write_cell_zones` throw
 FoamApplication apply_to_foam_case(const std::filesystem::path& foam_case,
                                    const ResistanceSheet& sheet,
                                    const FoamApplyOptions& options = {});

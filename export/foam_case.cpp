@@ -4,9 +4,10 @@
 #include "core/wall_tree.hpp"
 #include "export/foam_dictionaries.hpp"
 #include "export/foam_format.hpp"
+#include "export/foam_porous_source.hpp"
+#include "export/foam_resistance.hpp"
 #include "export/foam_scripts.hpp"
 #include "export/foam_surfaces.hpp"
-#include "export/foam_zones.hpp"
 #include "export/text_file.hpp"
 
 #include <fmt/format.h>
@@ -75,8 +76,7 @@ void write_foam_case(const std::filesystem::path& folder, const Vessel& vessel,
     write_text_file(constant / "transportProperties", transport_properties(fluid));
     write_text_file(constant / "turbulenceProperties", turbulence_properties());
     // There are no zones before there is a mesh: `export --onto` fills these in.
-    for (const char* object : {"fvOptions", "fvModels"})
-        write_text_file(constant / object, porous_sources({}, sheet.tangential_ratio, object));
+    write_porous_sources(folder, {});
 
     const Opening& inlet = vessel.openings[static_cast<std::size_t>(options.inlet)];
     write_text_file(folder / "0" / "U",

@@ -2,6 +2,7 @@
 
 #include "core/fluid.hpp"
 #include "core/vessel.hpp"
+#include "export/foam_form.hpp"
 #include "porous/resistance_sheet.hpp"
 
 #include <filesystem>
@@ -17,6 +18,8 @@ struct FoamCaseOptions {
     /// thickness matters for the flow in the sac: in a sidewall phantom (mean speed 7.2 mm/s
     /// untreated) 2 halvings give 1.74 mm/s, 3 give 1.33, extrapolation to no thickness about 1.1.
     int device_refinement = 3;
+    FoamForm form = FoamForm::zones;    ///< of the resistance
+    int most_zones = 64;                ///< see `cluster`
     int inlet = 0;                      ///< index of the vessel's opening that is the inlet
     std::string program = "braidzone";  ///< command that runs Braidzone, for Allrun
     std::string case_file = "braidzone/case.toml";  ///< that Allrun applies; relative to the folder

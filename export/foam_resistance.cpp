@@ -151,6 +151,7 @@ constexpr double piece_edge = 0.5;
 struct RhombusShares {
     std::vector<std::pair<int, double>> areas;  ///< cell and area [m^2]; a cell may come repeatedly
     double coarse_area = 0.0;                   ///< with too few cells across the kernel [m^2]
+    double area_times_cells = 0.0;              ///< area times cells across the kernel [m^2]
     std::optional<SheetPiece> lost_piece;       ///< one without a cell, if any
 };
 
@@ -177,6 +178,7 @@ RhombusShares share_out(const BraidSurface& surface, std::size_t rhombus,
         const double cells_across =
             2.0 * options.kernel_half_width * kernel.size / std::cbrt(largest_volume);
         if (cells_across < 4.0) result.coarse_area += piece.area;
+        result.area_times_cells += piece.area * cells_across;
     }
     return result;
 }
@@ -243,13 +245,16 @@ CellResistance deposit(const ResistanceSheet& sheet, const FoamMesh& mesh,
             if (!(sheet.acting[rhombus] > 0.0)) continue;
             area += surface.rhombi[rhombus].area;
             coarse_area += batch[i].coarse_area;
+            result.cells_across += batch[i].area_times_cells;
         }
     }
+    if (area > 0.0) result.cells_across /= area;
     add_cells(result, collected, mesh);
     if (coarse_area > 0.05 * area)
         result.warnings.push_back(
             fmt::format("the mesh has fewer than 4 cells across the kernel over {:.3g} % of the "
-                        "device's free area; the pressure drop will come out too low",
+                        "device's free area; the pressure drop comes out too low (by how much: "
+                        "thin_layer_error in fd_export.json)",
                         100.0 * coarse_area / area));
     return result;
 }

@@ -23,6 +23,7 @@ struct CellResistance {
     std::vector<Vec3> normal;         ///< unit
     TangentialRatio tangential_ratio;
     CellMetal metal;
+    double cells_across = 0.0;  ///< cells across the kernel, mean over the acting area
     std::vector<std::string> warnings;
 };
 

@@ -96,6 +96,10 @@ if [ "$variant" = --without-device ]; then
         ln -s "../../constant/$shared" "without_device/constant/$shared"
     done
     cp 0/U 0/p without_device/0/
+    # system/fdFunctions reads these if the resistance is in them.
+    for field in 0/fdNuD_*; do
+        if [ -f "$field" ]; then cp "$field" without_device/0/; fi
+    done
     solve without_device simpleFoam.without_device
 else
     solve . simpleFoam
@@ -140,8 +144,8 @@ moved. OpenFOAM itself needs no plug-in and nothing compiled.
 |---|---|
 | `constant/triSurface/vessel.stl` | the closed lumen [m]; solids wall, inlet, outlet_1, ... |
 | `constant/triSurface/device.stl` | the part of the device that meets flow, for refinement |
-| `constant/fvOptions` | the resistance: a Darcy-Forchheimer source for each cell zone FD_0000, ... |
-| `constant/fvModels` | the same text under openfoam.org's name |
+| `constant/fdPorosity` | the resistance: Darcy-Forchheimer sources on cell zones |
+| `constant/fvOptions`, `fvModels` | include it; the latter is openfoam.org's name |
 | `constant/polyMesh/cellZones` | the zones; `sac`: the cells that the device closes off |
 | `0/fdDarcy`, `fdForchheimer`, `fdNormal`, `fdVoidFraction`, `fdSurfaceDensity`, `fdZone` | the device in the cells, to look at |
 | `fd_export.json` | units, zones, and the sum over cells against the integral over the device |

@@ -1,16 +1,12 @@
 #include "export/foam_zones.hpp"
 
 #include "core/error.hpp"
-#include "export/foam_cell_zones.hpp"
-#include "export/foam_format.hpp"
-#include "export/text_file.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <numeric>
 
@@ -114,14 +110,6 @@ FoamZone make_zone(const Group& group, const CellResistance& resistance, const F
     return zone;
 }
 
-/// A unit vector at right angles to n.
-Vec3 some_perpendicular(const Vec3& n)
-{
-    Eigen::Index smallest = 0;
-    n.cwiseAbs().minCoeff(&smallest);
-    return n.cross(Vec3::Unit(smallest)).normalized();
-}
-
 }  // namespace
 
 std::vector<FoamZone> cluster(const CellResistance& resistance, const FoamMesh& mesh,
@@ -167,63 +155,28 @@ double resistance_integral(const std::vector<FoamZone>& zones)
     return sum;
 }
 
-std::string porous_sources(const std::vector<FoamZone>& zones, const TangentialRatio& ratio,
-                           const std::string& object)
+std::vector<FoamPorousSource> zone_sources(const std::vector<FoamZone>& zones,
+                                           const TangentialRatio& ratio)
 {
-    std::string text = foam_header("dictionary", "constant", object);
-    text +=
-        "// Resistance of the flow diverter: S = -(mu D + 1/2 rho |U| F) U, D in 1/m^2, F in 1/m,\n"
-        "// along the axes of each zone; e1 is the normal of the braid.\n";
-    if (zones.empty()) text += "// No zone: the device meets no flow, or is not applied yet.\n";
-    auto out = std::back_inserter(text);
+    std::vector<FoamPorousSource> sources;
     for (std::size_t i = 0; i < zones.size(); ++i) {
         const FoamZone& zone = zones[i];
-        const Vec3 d = zone.darcy * Vec3(1.0, ratio.linear, ratio.linear);
-        const Vec3 f = zone.forchheimer * Vec3(1.0, ratio.quadratic, ratio.quadratic);
-        fmt::format_to(out, R"(
-{name}
-{{
-    type            explicitPorositySource;
-    active          yes;
-    explicitPorositySourceCoeffs
-    {{
-        selectionMode   cellZone;
-        cellZone        {name};
-        type            DarcyForchheimer;
-        d               d [0 -2 0 0 0 0 0] {d};
-        f               f [0 -1 0 0 0 0 0] {f};
-        coordinateSystem
-        {{
-            type            cartesian;
-            origin          (0 0 0);
-            coordinateRotation
-            {{
-                type            axesRotation;
-                e1              {e1};
-                e2              {e2};
-            }}
-        }}
-    }}
-}}
-)",
-                       fmt::arg("name", foam_zone_name(i)), fmt::arg("d", foam_vector(d)),
-                       fmt::arg("f", foam_vector(f)), fmt::arg("e1", foam_vector(zone.normal)),
-                       fmt::arg("e2", foam_vector(some_perpendicular(zone.normal))));
+        sources.push_back(
+            {.name = foam_zone_name(i),
+             .cell_zone = foam_zone_name(i),
+             .darcy = zone.darcy * Vec3(1.0, ratio.linear, ratio.linear),
+             .forchheimer = zone.forchheimer * Vec3(1.0, ratio.quadratic, ratio.quadratic),
+             .e1 = zone.normal});
     }
-    return text;
+    return sources;
 }
 
-void write_foam_zones(const std::filesystem::path& foam_case, const std::vector<FoamZone>& zones,
-                      const TangentialRatio& ratio)
+std::vector<FoamCellZone> named_zones(const std::vector<FoamZone>& zones)
 {
-    std::vector<FoamCellZone> cell_zones = read_cell_zones(foam_case);
-    std::erase_if(cell_zones,
-                  [](const FoamCellZone& zone) { return zone.name.starts_with("FD_"); });
+    std::vector<FoamCellZone> named;
     for (std::size_t i = 0; i < zones.size(); ++i)
-        cell_zones.push_back({foam_zone_name(i), zones[i].cells});
-    write_cell_zones(foam_case, cell_zones);
-    for (const char* object : {"fvOptions", "fvModels"})
-        write_text_file(foam_case / "constant" / object, porous_sources(zones, ratio, object));
+        named.push_back({foam_zone_name(i), zones[i].cells});
+    return named;
 }
 
 }  // namespace braidzone

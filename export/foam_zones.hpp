@@ -1,8 +1,9 @@
 #pragma once
 
+#include "export/foam_cell_zones.hpp"
+#include "export/foam_porous_source.hpp"
 #include "export/foam_resistance.hpp"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -42,22 +43,13 @@ std::string foam_zone_name(std::size_t zone);
 /// Sum over the zones of D times the volume [m].
 double resistance_integral(const std::vector<FoamZone>& zones);
 
-/// Text of constant/fvOptions: an `explicitPorositySource` with DarcyForchheimer for each zone; e1
-/// of its axes is the normal.
+/// The resistance of each zone as a source on its cells; e1 of its axes is the normal:
 ///
-///     S = -(mu D + 1/2 rho |U| F) U,   D = (D_n, r D_n, r D_n) along (e1, e2, e3), F alike
-///
-/// The same text is read by openfoam.com (v1912: run; later: by its source) and by openfoam.org (8
-/// to 14: by its source), there also as constant/fvModels.
-/// @param object  "fvOptions" or "fvModels"
-std::string porous_sources(const std::vector<FoamZone>& zones, const TangentialRatio& ratio,
-                           const std::string& object);
+///     D = (D_n, r D_n, r D_n) along (e1, e2, e3), F alike
+std::vector<FoamPorousSource> zone_sources(const std::vector<FoamZone>& zones,
+                                           const TangentialRatio& ratio);
 
-/// Writes the zones into constant/polyMesh/cellZones (those of the mesh are kept, FD_* of an
-/// earlier call replaced) and constant/fvOptions (`explicitPorositySource`, DarcyForchheimer), with
-/// a copy for openfoam.org's constant/fvModels.
-/// @throws IoError if a file cannot be read or written
-void write_foam_zones(const std::filesystem::path& foam_case, const std::vector<FoamZone>& zones,
-                      const TangentialRatio& ratio);
+/// The cells of each zone under its name.
+std::vector<FoamCellZone> named_zones(const std::vector<FoamZone>& zones);
 
 }  // namespace braidzone

@@ -94,4 +94,18 @@ double resistance_integral(const ResistanceSheet& sheet)
     return integral;
 }
 
+std::optional<SheetLoss> mean_acting_loss(const ResistanceSheet& sheet)
+{
+    double area = 0.0;
+    SheetLoss mean;
+    for (std::size_t rhombus = 0; rhombus < sheet.surface.rhombi.size(); ++rhombus) {
+        const double acting_area = sheet.acting[rhombus] * sheet.surface.rhombi[rhombus].area;
+        area += acting_area;
+        mean.linear += acting_area * sheet.losses[rhombus].linear;
+        mean.quadratic += acting_area * sheet.losses[rhombus].quadratic;
+    }
+    if (!(area > 0.0)) return std::nullopt;
+    return SheetLoss{mean.linear / area, mean.quadratic / area};
+}
+
 }  // namespace braidzone

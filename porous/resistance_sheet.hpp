@@ -3,6 +3,7 @@
 #include "porous/braid_surface.hpp"
 #include "porous/resistance_law.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace braidzone {
@@ -72,5 +73,8 @@ double sheet_forchheimer(const ResistanceSheet& sheet, int rhombus);
 
 /// Integral of the Darcy coefficient over the sheet: sum of a / mu times the area [m].
 double resistance_integral(const ResistanceSheet& sheet);
+
+/// Mean loss of the sheet where it acts, by area; none if it acts nowhere.
+std::optional<SheetLoss> mean_acting_loss(const ResistanceSheet& sheet);
 
 }  // namespace braidzone

@@ -83,7 +83,7 @@ TEST_F(ApplyToFoamCase, WritesZonesWhoseIntegralIsTheSheets)
     const FoamApplication applied = apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
     EXPECT_EQ(applied.num_cells, 12000);
     EXPECT_NEAR(applied.integral_sheet, 0.56, 1e-12);
-    EXPECT_NEAR(applied.integral_zones, 0.56, 1e-12);
+    EXPECT_NEAR(applied.integral_mesh, 0.56, 1e-12);
 
     const auto zones = read_cell_zones(folder_.path());
     ASSERT_EQ(zones.size(), static_cast<std::size_t>(applied.num_zones) + 1);

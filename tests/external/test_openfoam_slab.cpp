@@ -124,7 +124,7 @@ SlabResult solve_slab(const ResistanceSheet& sheet, double kernel_half_width)
     if (!test::run_in(folder, "blockMesh", "log.blockMesh")) return result;
     const FoamApplication application =
         apply_to_foam_case(folder, sheet, {.deposit = {.kernel_half_width = kernel_half_width}});
-    EXPECT_NEAR(application.integral_zones / application.integral_sheet, 1.0, 1e-12);
+    EXPECT_NEAR(application.integral_mesh / application.integral_sheet, 1.0, 1e-12);
     if (!test::run_in(folder, "simpleFoam", "log.simpleFoam")) return result;
     result.iterations = test::iterations_to_convergence(folder / "log.simpleFoam");
     result.pressure_drop =
