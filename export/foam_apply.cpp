@@ -2,7 +2,9 @@
 
 #include "core/error.hpp"
 #include "core/triangle_mesh.hpp"
+#include "export/foam_baffles.hpp"
 #include "export/foam_cell_zones.hpp"
+#include "export/foam_face_zones.hpp"
 #include "export/foam_inspection.hpp"
 #include "export/foam_per_cell.hpp"
 #include "export/foam_porous_source.hpp"
@@ -23,8 +25,16 @@ namespace braidzone {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr const char* sac_zone = "sac";
 const std::filesystem::path functions_file = std::filesystem::path("system") / "fdFunctions";
+const std::filesystem::path baffles_file = std::filesystem::path("system") / "fdBaffles";
+
+Json quantity(double value, const char* unit)
+{
+    return {{"value", value}, {"unit", unit}};
+}
 
 /// Replaces the cell zones that an earlier call wrote.
 void replace_device_zones(const std::filesystem::path& foam_case,
@@ -36,6 +46,29 @@ void replace_device_zones(const std::filesystem::path& foam_case,
     });
     zones.insert(zones.end(), device_zones.begin(), device_zones.end());
     write_cell_zones(foam_case, zones);
+}
+
+/// Replaces the face zones that an earlier call wrote.
+void replace_device_faces(const std::filesystem::path& foam_case,
+                          const std::vector<FoamFaceZone>& device_zones)
+{
+    std::vector<FoamFaceZone> zones = read_face_zones(foam_case);
+    const auto removed =
+        std::erase_if(zones, [](const FoamFaceZone& zone) { return zone.name.starts_with("FD_"); });
+    if (removed == 0 && device_zones.empty()) return;
+    zones.insert(zones.end(), device_zones.begin(), device_zones.end());
+    write_face_zones(foam_case, zones);
+}
+
+/// Refuses a mesh that createBaffles has cut along the device.
+void require_no_baffles(const FoamMesh& mesh, const std::filesystem::path& foam_case)
+{
+    for (const FoamPatch& patch : mesh.patches)
+        if (patch.type == "cyclic" && patch.name.starts_with("FD_"))
+            throw InputError(
+                fmt::format("{}: the mesh holds the baffles of an earlier call (patch {}); give it "
+                            "the mesh as it was before createBaffles",
+                            foam_case.string(), patch.name));
 }
 
 /// Refuses a mesh in millimetres: the device in metres would be lost in one of its cells.
@@ -56,7 +89,9 @@ void require_metres(const FoamMesh& mesh, const ResistanceSheet& sheet)
 /// What a form puts into a case.
 struct DeviceInCase {
     std::vector<FoamZone> zones;
+    Json groups = Json::array();  ///< zones or baffles, for the report
     std::vector<FoamCellZone> cell_zones;
+    std::vector<FoamFaceZone> face_zones;
     std::vector<FoamPorousSource> sources;
     std::string functions;
     double integral = 0.0;  ///< of what is written [m]
@@ -71,6 +106,15 @@ DeviceInCase in_zones(const CellResistance& resistance, const FoamMesh& mesh, in
     device.cell_zones = named_zones(device.zones);
     device.sources = zone_sources(device.zones, resistance.tangential_ratio);
     device.integral = resistance_integral(device.zones);
+    for (std::size_t i = 0; i < device.zones.size(); ++i) {
+        const FoamZone& zone = device.zones[i];
+        device.groups.push_back({{"name", foam_zone_name(i)},
+                                 {"num_cells", zone.cells.size()},
+                                 {"volume", quantity(zone.volume, "m^3")},
+                                 {"darcy", quantity(zone.darcy, "1/m^2")},
+                                 {"forchheimer", quantity(zone.forchheimer, "1/m")},
+                                 {"normal", {zone.normal.x(), zone.normal.y(), zone.normal.z()}}});
+    }
     return device;
 }
 
@@ -98,6 +142,51 @@ DeviceInCase in_cells(const std::filesystem::path& foam_case, const CellResistan
                     "#includeIfPresent \"fdFunctions\" }}",
                     viscosity));
     return device;
+}
+
+/// The device as pressure jumps; nothing of it is in the cells.
+DeviceInCase on_faces(const std::filesystem::path& foam_case, const ResistanceSheet& sheet,
+                      const FoamMesh& mesh, int most_zones)
+{
+    DeviceInCase device;
+    const auto [baffles, step_ratio] = make_baffles(sheet, mesh, most_zones);
+    for (const FoamBaffle& baffle : baffles) {
+        device.face_zones.push_back(baffle.faces);
+        device.integral += baffle.integral;
+        device.groups.push_back({{"name", baffle.faces.name},
+                                 {"num_faces", baffle.faces.faces.size()},
+                                 {"area", quantity(baffle.area, "m^2")},
+                                 {"darcy", quantity(baffle.darcy, "1/m^2")},
+                                 {"forchheimer", quantity(baffle.inertia, "1/m")}});
+    }
+    write_text_file(foam_case / baffles_file, baffle_dict(baffles));
+    device.files = {"constant/polyMesh/faceZones", baffles_file};
+    device.notes.push_back(
+        "the baffles come into the mesh by createBaffles -overwrite -dict system/fdBaffles; they "
+        "have no resistance along the braid, and simpleFoam needs relaxation factors of 0.3 for p "
+        "and 0.7 for U without SIMPLEC");
+    if (step_ratio > 1.1)
+        device.notes.push_back(fmt::format(
+            "the mesh does not follow the device: its faces there have {:.3g} times the device's "
+            "area, and such steps hinder the flow along the braid to an unknown degree. Let the "
+            "mesher make a face zone of the device's surface, or take form = \"zones\"",
+            step_ratio));
+    return device;
+}
+
+DeviceInCase put(const FoamApplyOptions& options, const ResistanceSheet& sheet,
+                 const CellResistance& resistance, const FoamMesh& mesh,
+                 const std::filesystem::path& foam_case)
+{
+    switch (options.form) {
+        case FoamForm::per_cell:
+            return in_cells(foam_case, resistance, mesh, sheet.fluid, options.most_zones);
+        case FoamForm::baffles:
+            return on_faces(foam_case, sheet, mesh, options.most_zones);
+        case FoamForm::zones:
+            break;
+    }
+    return in_zones(resistance, mesh, options.most_zones);
 }
 
 /// Function objects that report the mean speed in the sac at every iteration.
@@ -137,9 +226,9 @@ std::optional<std::string> viscosity_warning(const std::filesystem::path& foam_c
 }
 
 /// The expected error of the pressure drop at some velocities through the device's mean resistance.
-nlohmann::ordered_json thin_layer_errors(double cells_across, const ResistanceSheet& sheet)
+Json thin_layer_errors(double cells_across, const ResistanceSheet& sheet)
 {
-    auto errors = nlohmann::ordered_json::array();
+    auto errors = Json::array();
     const std::optional<SheetLoss> loss = mean_acting_loss(sheet);
     if (!loss || !(cells_across > 0.0)) return errors;
     for (const double velocity : {0.01, 0.03, 0.1}) {
@@ -153,17 +242,12 @@ nlohmann::ordered_json thin_layer_errors(double cells_across, const ResistanceSh
     return errors;
 }
 
-nlohmann::ordered_json quantity(double value, const char* unit)
-{
-    return {{"value", value}, {"unit", unit}};
-}
-
 std::string report(const FoamApplication& result, const DeviceInCase& device,
                    const CellResistance& resistance, const ResistanceSheet& sheet,
                    const FoamApplyOptions& options)
 {
     const FoamFormTraits& form = traits_of(options.form);
-    nlohmann::ordered_json json;
+    Json json;
     json["form"] = {{"name", form.name}, {"keeps", form.keeps}, {"loses", form.loses}};
     json["convention"] =
         "S = -(mu D + 1/2 rho |U| F) U per volume; D, F along the zone's normal, and "
@@ -181,18 +265,8 @@ std::string report(const FoamApplication& result, const DeviceInCase& device,
         result.integral_sheet > 0.0 ? result.integral_mesh / result.integral_sheet - 1.0 : 0.0;
     json["cells_across"] = resistance.cells_across;
     json["thin_layer_error"] = thin_layer_errors(resistance.cells_across, sheet);
-    json["sac_volume"] =
-        result.sac_volume ? quantity(*result.sac_volume, "m^3") : nlohmann::ordered_json(nullptr);
-    json["zones"] = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < device.zones.size(); ++i) {
-        const FoamZone& zone = device.zones[i];
-        json["zones"].push_back({{"name", foam_zone_name(i)},
-                                 {"num_cells", zone.cells.size()},
-                                 {"volume", quantity(zone.volume, "m^3")},
-                                 {"darcy", quantity(zone.darcy, "1/m^2")},
-                                 {"forchheimer", quantity(zone.forchheimer, "1/m")},
-                                 {"normal", {zone.normal.x(), zone.normal.y(), zone.normal.z()}}});
-    }
+    json["sac_volume"] = result.sac_volume ? quantity(*result.sac_volume, "m^3") : Json(nullptr);
+    json["zones"] = device.groups;
     json["warnings"] = result.warnings;
     return json.dump(2) + "\n";
 }
@@ -203,27 +277,27 @@ FoamApplication apply_to_foam_case(const std::filesystem::path& foam_case,
                                    const ResistanceSheet& sheet, const FoamApplyOptions& options)
 {
     const FoamMesh mesh = read_foam_mesh(foam_case);
+    require_no_baffles(mesh, foam_case);
     require_metres(mesh, sheet);
     const CellResistance resistance = deposit(sheet, mesh, options.deposit);
     const std::vector<int> sac = find_sac(resistance, mesh);
 
     remove_directed_fields(foam_case);
-    DeviceInCase device =
-        options.form == FoamForm::per_cell
-            ? in_cells(foam_case, resistance, mesh, sheet.fluid, options.most_zones)
-            : in_zones(resistance, mesh, options.most_zones);
+    std::filesystem::remove(foam_case / baffles_file);
+    DeviceInCase device = put(options, sheet, resistance, mesh, foam_case);
     if (!sac.empty()) device.cell_zones.push_back({sac_zone, sac});
     replace_device_zones(foam_case, device.cell_zones);
+    replace_device_faces(foam_case, device.face_zones);
 
     FoamApplication result;
     result.num_cells = mesh.num_cells();
     result.num_resistant_cells = static_cast<int>(resistance.cells.size());
-    result.num_zones = static_cast<int>(device.zones.size());
+    result.num_zones = static_cast<int>(device.groups.size());
     result.integral_sheet = resistance_integral(sheet);
     result.integral_mesh = device.integral;
     result.warnings = resistance.warnings;
     result.warnings.insert(result.warnings.end(), device.notes.begin(), device.notes.end());
-    if (device.sources.empty())
+    if (device.groups.empty() && device.sources.empty())
         result.warnings.push_back(
             "the device meets no flow: it lies on the wall everywhere, and no zone is written");
     if (const auto warning = viscosity_warning(foam_case, sheet.fluid))

@@ -44,6 +44,11 @@ FaceGeometry measure_face(const std::vector<Vec3>& points, const std::vector<int
 
 }  // namespace
 
+Vec3 face_area(const FoamMesh& mesh, std::size_t face)
+{
+    return measure_face(mesh.points, mesh.faces[face]).area;
+}
+
 void compute_cell_geometry(FoamMesh& mesh)
 {
     std::vector<FaceGeometry> faces;

@@ -13,4 +13,7 @@ namespace braidzone {
 ///            volume-weighted mean
 void compute_cell_geometry(FoamMesh& mesh);
 
+/// Area vector of a face by the same formula, out of its owner [m^2].
+Vec3 face_area(const FoamMesh& mesh, std::size_t face);
+
 }  // namespace braidzone

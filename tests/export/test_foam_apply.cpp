@@ -1,5 +1,7 @@
+#include "core/error.hpp"
 #include "export/foam_apply.hpp"
 #include "export/foam_cell_zones.hpp"
+#include "export/foam_face_zones.hpp"
 #include "export/foam_format.hpp"
 #include "export/text_file.hpp"
 #include "support/braids.hpp"
@@ -9,6 +11,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -146,13 +150,102 @@ TEST_F(ApplyToFoamCase, PutsFieldsBesideTheStartFieldsOfTheCase)
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "0"));
 }
 
+// As OpenFOAM writes zones in binary: the labels are raw, the rest is text.
+TEST_F(ApplyToFoamCase, KeepsZonesOfTheMeshAndReplacesItsOwn)
+{
+    const std::vector<std::int32_t> labels{40, 41};
+    std::string raw(8, '\0');
+    std::memcpy(raw.data(), labels.data(), raw.size());
+    folder_.write("constant/polyMesh/cellZones",
+                  "FoamFile { version 2.0; format binary; class regIOobject; arch "
+                  "\"LSB;label=32;scalar=64\"; }\n2\n(\nrotor\n{\ntype cellZone;\ncellLabels      "
+                  "List<label> \n2\n(" +
+                      raw +
+                      ");\n}\n\nFD_0999\n{\ntype cellZone;\ncellLabels List<label> 0;\n}\n)\n");
+    apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
+    const auto zones = read_cell_zones(folder_.path());
+    EXPECT_EQ(zones.front().name, "rotor");
+    EXPECT_EQ(zones.front().cells, (std::vector<int>{40, 41}));
+    for (const auto& zone : zones)
+        EXPECT_NE(zone.name, "FD_0999");
+}
+
+// Each form leaves nothing of the others behind.
+TEST_F(ApplyToFoamCase, ChangesFromFormToForm)
+{
+    const auto apply = [&](FoamForm form) {
+        return apply_to_foam_case(folder_.path(), sheet_at(1.23e-3), {.form = form});
+    };
+    const auto is_there = [&](const char* file) {
+        return std::filesystem::exists(folder_.path() / file);
+    };
+    const FoamApplication cells = apply(FoamForm::per_cell);
+    EXPECT_NEAR(cells.integral_mesh, 0.56, 1e-12);
+    EXPECT_TRUE(is_there("0/fdNuD_z"));
+    EXPECT_NE(text_of(folder_.path() / "system/fdFunctions").find("readFields"), std::string::npos);
+    ASSERT_EQ(cells.warnings.size(), 1U);
+    EXPECT_NE(cells.warnings[0].find("3.31439e-06 m^2/s"), std::string::npos);
+
+    const FoamApplication faces = apply(FoamForm::baffles);
+    EXPECT_NEAR(faces.integral_mesh, 0.56, 1e-12);
+    EXPECT_FALSE(is_there("0/fdNuD_z"));
+    EXPECT_TRUE(is_there("system/fdBaffles"));
+    EXPECT_EQ(text_of(folder_.path() / "constant/fdPorosity").find("explicitPorositySource"),
+              std::string::npos);
+    EXPECT_FALSE(read_face_zones(folder_.path()).empty());
+
+    apply(FoamForm::zones);
+    EXPECT_FALSE(is_there("system/fdBaffles"));
+    for (const auto& zone : read_face_zones(folder_.path()))
+        EXPECT_FALSE(zone.name.starts_with("FD_"));
+    EXPECT_NE(text_of(folder_.path() / "constant/fdPorosity").find("explicitPorositySource"),
+              std::string::npos);
+}
+
+TEST_F(ApplyToFoamCase, SaysThatTheCaseHasAnotherViscosity)
+{
+    folder_.write("constant/transportProperties",
+                  "FoamFile { class dictionary; }\ntransportModel Newtonian;\nnu 4e-6;\n");
+    const FoamApplication applied = apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
+    ASSERT_EQ(applied.warnings.size(), 1U);
+    EXPECT_NE(applied.warnings[0].find("viscosity of 4e-06 m^2/s"), std::string::npos);
+}
+
+TEST(ApplyToFoamMesh, RefusesMillimetres)
+{
+    const test::TemporaryFolder folder;
+    write_mesh(folder.path(), test::foam_box({20, 20, 30}, 0.1), 20 * 8);
+    try {
+        apply_to_foam_case(folder.path(), sheet_at(1.23e-3));
+        FAIL();
+    } catch (const GeometryError& error) {
+        EXPECT_NE(std::string(error.what()).find("is the mesh in millimetres?"), std::string::npos);
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "constant/fdPorosity"));
+}
+
+TEST(ApplyToFoamMesh, RefusesBafflesOfAnEarlierCall)
+{
+    const test::TemporaryFolder folder;
+    FoamMesh mesh = test::foam_box({20, 20, 30}, 0.1e-3);
+    mesh.patches.back() = {"FD_0000_front", "cyclic", mesh.patches.back().start_face,
+                           mesh.patches.back().num_faces};
+    write_mesh(folder.path(), mesh, 20 * 8);
+    const auto file = folder.path() / "constant/polyMesh/boundary";
+    std::string boundary = text_of(file);
+    boundary.replace(boundary.find("FD_0000_front_rest { type wall"), 30,
+                     "FD_0000_front_rest { type cyclic");
+    write_text_file(file, boundary);
+    EXPECT_THROW(apply_to_foam_case(folder.path(), sheet_at(1.23e-3)), InputError);
+}
+
 TEST_F(ApplyToFoamCase, GivesTheSameBytesAgain)
 {
     apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
-    const std::string first = text_of(folder_.path() / "constant/fvOptions");
+    const std::string first = text_of(folder_.path() / "constant/fdPorosity");
     const std::string zones = text_of(folder_.path() / "constant/polyMesh/cellZones");
     apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
-    EXPECT_EQ(text_of(folder_.path() / "constant/fvOptions"), first);
+    EXPECT_EQ(text_of(folder_.path() / "constant/fdPorosity"), first);
     EXPECT_EQ(text_of(folder_.path() / "constant/polyMesh/cellZones"), zones);
 }
 

@@ -123,7 +123,9 @@ TEST(WriteFoamCase, StatesFlowFluidAndMesh)
     // Before there is a mesh there are no zones, and OpenFOAM must accept that.
     const std::string options_text = text_of(folder.path() / "constant/fvOptions");
     EXPECT_NE(options_text.find("object      fvOptions;"), std::string::npos);
-    EXPECT_EQ(options_text.find("explicitPorositySource"), std::string::npos);
+    EXPECT_NE(options_text.find("#include \"fdPorosity\""), std::string::npos);
+    EXPECT_EQ(text_of(folder.path() / "constant/fdPorosity").find("explicitPorositySource"),
+              std::string::npos);
 }
 
 TEST(WriteFoamCase, DeviceOnTheWallIsNotRefined)

@@ -8,21 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <set>
 
 namespace braidzone {
 namespace {
-
-std::string text_of(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Resistance on every cell of a row of cubes along x: D = 1e8 exp(-i / 40), normals that turn in
 /// the x-y plane from 0 to 90 degrees, with every other one reversed.
@@ -117,46 +107,19 @@ TEST(Cluster, WithoutResistanceThereIsNoZone)
     EXPECT_THROW(cluster(CellResistance{}, mesh, 0), InputError);
 }
 
-TEST(PorousSources, StatesTensorAlongTheZonesAxes)
+// The tangential ratios scale D and F along the sheet.
+TEST(ZoneSources, HaveTheTensorAlongTheZonesAxes)
 {
     FoamZone zone;
     zone.darcy = 4e8;
     zone.forchheimer = 5e3;
     zone.normal = Vec3::UnitZ();
-    const std::string text = porous_sources({zone}, {0.25, 0.1}, "fvOptions");
-    EXPECT_NE(text.find("cellZone        FD_0000;"), std::string::npos);
-    EXPECT_NE(text.find("d [0 -2 0 0 0 0 0] (400000000 100000000 100000000);"), std::string::npos);
-    EXPECT_NE(text.find("f [0 -1 0 0 0 0 0] (5000 500 500);"), std::string::npos);
-    EXPECT_NE(text.find("e1              (0 0 1);"), std::string::npos);
-}
-
-TEST(WriteFoamZones, KeepsOtherZonesAndReplacesItsOwn)
-{
-    const test::TemporaryFolder folder;
-    // As OpenFOAM writes it in binary: the labels are raw, the rest is text.
-    const std::vector<std::int32_t> labels{40, 41};
-    std::string raw(8, '\0');
-    std::memcpy(raw.data(), labels.data(), raw.size());
-    folder.write("constant/polyMesh/cellZones",
-                 "FoamFile { version 2.0; format binary; class regIOobject; arch "
-                 "\"LSB;label=32;scalar=64\"; }\n2\n(\nrotor\n{\ntype cellZone;\ncellLabels      "
-                 "List<label> \n2\n(" +
-                     raw +
-                     ");\n}\n\nFD_0007\n{\ntype cellZone;\ncellLabels List<label> 0;\n}\n)\n");
-    FoamZone zone;
-    zone.cells = {3, 5};
-    zone.darcy = 1e8;
-    write_foam_zones(folder.path(), {zone}, {});
-
-    const auto zones = read_cell_zones(folder.path());
-    ASSERT_EQ(zones.size(), 2U);
-    EXPECT_EQ(zones[0].name, "rotor");
-    EXPECT_EQ(zones[0].cells, (std::vector<int>{40, 41}));
-    EXPECT_EQ(zones[1].name, "FD_0000");
-    EXPECT_EQ(zones[1].cells, (std::vector<int>{3, 5}));
-    EXPECT_EQ(text_of(folder.path() / "constant/fvOptions"),
-              porous_sources({zone}, {}, "fvOptions"));
-    EXPECT_EQ(text_of(folder.path() / "constant/fvModels"), porous_sources({zone}, {}, "fvModels"));
+    const auto sources = zone_sources({zone, zone}, {0.25, 0.1});
+    ASSERT_EQ(sources.size(), 2U);
+    EXPECT_EQ(sources[1].cell_zone, "FD_0001");
+    EXPECT_EQ(sources[1].darcy, Vec3(4e8, 1e8, 1e8));
+    EXPECT_EQ(sources[1].forchheimer, Vec3(5e3, 5e2, 5e2));
+    EXPECT_EQ(sources[1].e1, Vec3::UnitZ());
 }
 
 TEST(WriteCellZones, ReplacesGzippedFile)
