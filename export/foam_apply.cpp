@@ -1,53 +1,16 @@
 #include "export/foam_apply.hpp"
 
-#include "export/foam_cell_zones.hpp"
-#include "export/foam_format.hpp"
 #include "export/foam_inspection.hpp"
 #include "export/foam_sac.hpp"
+#include "export/foam_sac_zones.hpp"
 #include "export/foam_zones.hpp"
 #include "export/text_file.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-
 namespace braidzone {
 
 namespace {
-
-constexpr const char* sac_zone = "sac";
-const std::filesystem::path functions_file = std::filesystem::path("system") / "fdFunctions";
-
-/// Replaces the cell zone of the sac by these cells; removes it if there are none.
-void write_sac_zone(const std::filesystem::path& foam_case, const std::vector<int>& sac)
-{
-    std::vector<FoamCellZone> zones = read_cell_zones(foam_case);
-    std::erase_if(zones, [](const FoamCellZone& zone) { return zone.name == sac_zone; });
-    if (!sac.empty()) zones.push_back({sac_zone, sac});
-    write_cell_zones(foam_case, zones);
-}
-
-/// Function objects that report the mean speed in the sac at every iteration.
-std::string sac_functions()
-{
-    return "// Mean speed in the cell zone \"sac\" [m/s]: postProcessing/sacSpeed/.\n"
-           "speed\n{\n"
-           "    type            mag;\n"
-           "    libs            (\"libfieldFunctionObjects.so\");\n"
-           "    field           U;\n"
-           "    writeControl    writeTime;\n"
-           "}\n"
-           "sacSpeed\n{\n"
-           "    type            volFieldValue;\n"
-           "    libs            (\"libfieldFunctionObjects.so\");\n"
-           "    regionType      cellZone;\n"
-           "    name            sac;\n"
-           "    operation       volAverage;\n"
-           "    fields          (mag(U));\n"
-           "    writeFields     no;\n"
-           "    log             no;\n"
-           "}\n";
-}
 
 nlohmann::json quantity(double value, const char* unit)
 {
@@ -110,17 +73,14 @@ FoamApplication apply_to_foam_case(const std::filesystem::path& foam_case,
             "the device meets no flow: it lies on the wall everywhere, and no zone is written");
 
     write_foam_zones(foam_case, zones, sheet.tangential_ratio);
-    write_sac_zone(foam_case, sac);
+    const auto sac_files = write_sac_zones(foam_case, mesh, sac);
     result.files = {"constant/polyMesh/cellZones", "constant/fvOptions", "constant/fvModels"};
-    if (sac.empty()) {
-        std::filesystem::remove(foam_case / functions_file);
-    } else {
+    result.files.insert(result.files.end(), sac_files.begin(), sac_files.end());
+    if (!sac.empty()) {
         double volume = 0.0;
         for (const int cell : sac)
             volume += mesh.cell_volumes[static_cast<std::size_t>(cell)];
         result.sac_volume = volume;
-        write_text_file(foam_case / functions_file, sac_functions());
-        result.files.push_back(functions_file);
     }
     for (const auto& file : write_inspection_fields(foam_case, mesh, resistance, zones))
         result.files.push_back(file);

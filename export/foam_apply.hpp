@@ -31,8 +31,9 @@ struct FoamApplication {
 /// Reads constant/polyMesh, deposits the sheet, and writes
 /// - constant/polyMesh/cellZones: zones FD_* and, where the device closes off a sac, "sac"
 /// - constant/fvOptions and its copy constant/fvModels: the resistance of the zones
-/// - system/fdFunctions: function object for the mean speed in the sac, to be included in
-///   controlDict (`functions { #includeIfPresent "fdFunctions" }`); absent without a sac
+/// - constant/polyMesh/faceZones: the sac's neck and wall, merged with those of the mesh
+/// - system/fdFunctions: function objects for the flow in the sac, to be included in controlDict
+///   (`functions { #includeIfPresent "fdFunctions" }`); absent without a sac
 /// - 0/fdDarcy, fdForchheimer, fdNormal, fdVoidFraction, fdSurfaceDensity, fdZone: for inspection;
 ///   no solver reads them
 /// - fd_export.json: units, zones, integrals, checks

@@ -241,6 +241,16 @@ std::vector<int> FoamReader::labels()
         });
 }
 
+std::vector<int> FoamReader::bools()
+{
+    const auto as_bool = [&](int value) {
+        if (value != 0 && value != 1) fail(fmt::format("{} where 0 or 1 is expected", value));
+        return value;
+    };
+    return list<int>(
+        1, [&] { return as_bool(label()); }, [&](const char* byte) { return as_bool(*byte); });
+}
+
 std::vector<double> FoamReader::scalars()
 {
     return list<double>(

@@ -39,6 +39,7 @@ public:
     std::string entry();  ///< the raw text up to the next ';', which is skipped
 
     std::vector<int> labels();
+    std::vector<int> bools();  ///< 0 or 1
     std::vector<Vec3> vectors();
     std::vector<double> scalars();
     /// Lists of labels: faceList (ASCII) or faceCompactList (two label lists: starts, then labels).
