@@ -1,5 +1,6 @@
 #include "cli/case_file.hpp"
 
+#include "cli/foam_keys.hpp"
 #include "cli/key_checks.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
@@ -13,14 +14,6 @@
 
 namespace braidzone {
 namespace {
-
-std::filesystem::path read_path(const TomlTable& table, const std::string& key)
-{
-    const std::string text = table.text(key);
-    if (text.empty())
-        throw ConfigError(fmt::format("{} is empty; expected is a file", table.where(key)));
-    return (table.folder() / text).lexically_normal();
-}
 
 std::optional<CenterlineEnd> read_end(const TomlTable& table, const std::string& key)
 {
@@ -37,7 +30,7 @@ std::optional<CenterlineEnd> read_end(const TomlTable& table, const std::string&
 VesselSource read_vessel(const TomlTable& table)
 {
     VesselSource vessel;
-    vessel.surface = read_path(table, "surface");
+    vessel.surface = file_path(table, "surface");
     const std::string unit = table.text("length_unit");
     try {
         vessel.unit = length_unit(unit);
@@ -45,7 +38,7 @@ VesselSource read_vessel(const TomlTable& table)
         throw ConfigError(fmt::format("{} = {}", table.where("length_unit"), error.what()));
     }
     vessel.repair = table.boolean_or("repair", false);
-    if (table.has("centerline")) vessel.centerline = read_path(table, "centerline");
+    if (table.has("centerline")) vessel.centerline = file_path(table, "centerline");
     vessel.centerline_line = integer_in_range(table, "centerline_line", -1, -1, 1000000);
     vessel.reverse_centerline = table.boolean_or("reverse_centerline", false);
     vessel.from = read_end(table, "from");
@@ -74,6 +67,31 @@ VesselSource read_vessel(const TomlTable& table)
     return vessel;
 }
 
+/// Shear-thinning blood; none for a Newtonian fluid.
+std::optional<CarreauYasuda> read_rheology(const TomlTable& table)
+{
+    const std::string name =
+        one_of(table, "rheology", "newtonian", {"newtonian", "carreau-yasuda"});
+    if (name == "newtonian") return std::nullopt;
+    CarreauYasuda blood;
+    const auto read_viscosity = [&](const char* key, double& value) {
+        value = positive_or(table, key, Dimension::dynamic_viscosity, value);
+    };
+    read_viscosity("zero_shear_viscosity", blood.zero_shear_viscosity);
+    read_viscosity("infinite_shear_viscosity", blood.infinite_shear_viscosity);
+    blood.relaxation_time =
+        positive_or(table, "relaxation_time", Dimension::time, blood.relaxation_time);
+    blood.power_index = table.number_or("power_index", blood.power_index);
+    blood.yasuda_exponent = table.number_or("yasuda_exponent", blood.yasuda_exponent);
+    try {
+        validate(blood);
+    } catch (const InputError& error) {
+        throw ConfigError(
+            fmt::format("{} = \"{}\": {}", table.where("rheology"), name, error.what()));
+    }
+    return blood;
+}
+
 Fluid read_fluid(const TomlTable& table)
 {
     Fluid fluid;
@@ -97,7 +115,7 @@ ConstantLaw read_constant_law(const TomlTable& table)
 
 MeasuredLaw read_measured_keys(const TomlTable& table)
 {
-    const std::filesystem::path file = read_path(table, "loss_table");
+    const std::filesystem::path file = file_path(table, "loss_table");
     Fluid bench;
     bench.density = require_positive(table, "bench_density",
                                      table.quantity("bench_density", Dimension::density));
@@ -145,26 +163,6 @@ DepositOptions read_grid(const TomlTable& table)
     options.spacing = positive_or(table, "spacing", Dimension::length, options.spacing);
     options.kernel_half_width =
         integer_in_range(table, "kernel_half_width", options.kernel_half_width, 1, 100);
-    return options;
-}
-
-FoamCaseOptions read_foam_options(const TomlTable& table)
-{
-    FoamCaseOptions options;
-    options.inlet_velocity =
-        positive_or(table, "inlet_velocity", Dimension::velocity, options.inlet_velocity);
-    options.coarse_cell = positive_or(table, "coarse_cell", Dimension::length, options.coarse_cell);
-    options.surface_refinement =
-        integer_in_range(table, "surface_refinement", options.surface_refinement, 0, 8);
-    options.device_refinement =
-        integer_in_range(table, "device_refinement", options.device_refinement, 0, 8);
-    std::vector<std::string> names;
-    for (const FoamFormTraits& form : foam_forms())
-        names.emplace_back(form.name);
-    const std::string name = one_of(table, "form", traits_of(options.form).name, names);
-    const auto found = std::find(names.begin(), names.end(), name);
-    options.form = foam_forms()[static_cast<std::size_t>(found - names.begin())].form;
-    options.most_zones = integer_in_range(table, "most_zones", options.most_zones, 1, 4096);
     return options;
 }
 
@@ -248,7 +246,9 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     job.deployment = deployment.options;
     job.neck = deployment.neck;
     job.second_device = read_second_device(root);
-    job.fluid = read_fluid(root.table_or_empty("fluid"));
+    const TomlTable fluid = root.table_or_empty("fluid");
+    job.fluid = read_fluid(fluid);
+    job.rheology = read_rheology(fluid);
     const TomlTable porous = root.table_or_empty("porous");
     job.law = read_law(porous);
     job.sheet = read_sheet_options(porous);

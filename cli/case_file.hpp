@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cli/deployment_keys.hpp"
+#include "core/carreau_yasuda.hpp"
 #include "core/fluid.hpp"
 #include "core/length_unit.hpp"
 #include "core/vector.hpp"
@@ -63,6 +64,7 @@ struct Case {
     std::optional<ArcRange> neck;  ///< found if absent
     std::optional<SecondDevice> second_device;
     Fluid fluid;
+    std::optional<CarreauYasuda> rheology;  ///< of the exported flow; Newtonian if absent
     ResistanceLaw law;
     SheetOptions sheet;
     DepositOptions deposit;

@@ -51,4 +51,12 @@ std::string one_of(const TomlTable& table, const std::string& key, const std::st
                                   did_you_mean(name, allowed)));
 }
 
+std::filesystem::path file_path(const TomlTable& table, const std::string& key)
+{
+    const std::string text = table.text(key);
+    if (text.empty())
+        throw ConfigError(fmt::format("{} is empty; expected is a file", table.where(key)));
+    return (table.folder() / text).lexically_normal();
+}
+
 }  // namespace braidzone

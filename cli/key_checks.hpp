@@ -2,6 +2,7 @@
 
 #include "core/toml_reader.hpp"
 
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -29,5 +30,8 @@ int integer_in_range(const TomlTable& table, const std::string& key, int fallbac
 /// A name out of a list, or the fallback if the key is missing.
 std::string one_of(const TomlTable& table, const std::string& key, const std::string& fallback,
                    const std::vector<std::string>& allowed);
+
+/// The file that a key names, relative to the case file's folder; it need not exist.
+std::filesystem::path file_path(const TomlTable& table, const std::string& key);
 
 }  // namespace braidzone

@@ -172,19 +172,67 @@ Json porous_section(const Case& job)
     return section;
 }
 
+void add_outlet_keys(Json& section, const OutletPressures& outlets)
+{
+    if (outlets.pressures.empty()) {
+        section["outlets"] = "pressure";
+        return;
+    }
+    for (const double pressure : outlets.pressures)
+        section["outlet_pressures"].push_back(format_quantity(pressure, Dimension::pressure));
+}
+
+void add_outlet_keys(Json& section, const OutletShares& outlets)
+{
+    section["outlet_shares"] = outlets.shares;
+}
+
+void add_outlet_keys(Json& section, const MurraySplit&)
+{
+    section["outlets"] = "murray";
+}
+
+Json foam_section(const FoamCaseOptions& options)
+{
+    const FoamFlow& flow = options.flow;
+    Json section = {{"format", "openfoam"}};
+    if (flow.waveform) {
+        section["waveform"] = flow.waveform->file.string();
+        section["cycles"] = flow.cycles;
+        section["max_courant"] = flow.max_courant;
+    } else {
+        section["inlet_velocity"] = format_quantity(flow.inlet_velocity, Dimension::velocity);
+    }
+    std::visit([&](const auto& outlets) { add_outlet_keys(section, outlets); }, flow.outlets);
+    section["coarse_cell"] = length(options.coarse_cell);
+    section["surface_refinement"] = options.surface_refinement;
+    section["device_refinement"] = options.device_refinement;
+    section["form"] = traits_of(options.form).name;
+    section["most_zones"] = options.most_zones;
+    return section;
+}
+
+Json fluid_section(const Case& job)
+{
+    const auto as_viscosity = [](double value) {
+        return format_quantity(value, Dimension::dynamic_viscosity);
+    };
+    Json section = {{"density", format_quantity(job.fluid.density, Dimension::density)},
+                    {"viscosity", as_viscosity(job.fluid.viscosity)},
+                    {"rheology", job.rheology ? "carreau-yasuda" : "newtonian"}};
+    if (!job.rheology) return section;
+    section["zero_shear_viscosity"] = as_viscosity(job.rheology->zero_shear_viscosity);
+    section["infinite_shear_viscosity"] = as_viscosity(job.rheology->infinite_shear_viscosity);
+    section["relaxation_time"] = format_quantity(job.rheology->relaxation_time, Dimension::time);
+    section["power_index"] = job.rheology->power_index;
+    section["yasuda_exponent"] = job.rheology->yasuda_exponent;
+    return section;
+}
+
 Json export_sections(const Exports& exports)
 {
     Json sections = Json::array({{{"format", "vtk"}}, {{"format", "openvdb"}}});
-    if (exports.openfoam) {
-        sections.push_back({{"format", "openfoam"},
-                            {"inlet_velocity", format_quantity(exports.openfoam->inlet_velocity,
-                                                               Dimension::velocity)},
-                            {"coarse_cell", length(exports.openfoam->coarse_cell)},
-                            {"surface_refinement", exports.openfoam->surface_refinement},
-                            {"device_refinement", exports.openfoam->device_refinement},
-                            {"form", traits_of(exports.openfoam->form).name},
-                            {"most_zones", exports.openfoam->most_zones}});
-    }
+    if (exports.openfoam) sections.push_back(foam_section(*exports.openfoam));
     if (exports.lattice) {
         std::vector<std::string> names;
         for (const LatticeTarget target : exports.lattice->targets)
@@ -232,9 +280,7 @@ Json resolved_case(const Case& job)
     Json all = {{"vessel", vessel_section(job.vessel)}, {"device", device_section(job.device)}};
     if (job.second_device) all["second_device"] = second_device_section(*job.second_device);
     all["deployment"] = deployment_section(job);
-    all["fluid"] = {
-        {"density", format_quantity(job.fluid.density, Dimension::density)},
-        {"viscosity", format_quantity(job.fluid.viscosity, Dimension::dynamic_viscosity)}};
+    all["fluid"] = fluid_section(job);
     all["porous"] = porous_section(job);
     all["grid"] = {{"spacing", length(job.deposit.spacing)},
                    {"kernel_half_width", job.deposit.kernel_half_width}};

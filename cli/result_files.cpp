@@ -7,6 +7,7 @@
 #include "export/field_vdb.hpp"
 #include "export/field_vti.hpp"
 #include "export/foam_case.hpp"
+#include "export/foam_fluid.hpp"
 #include "export/frames_vtp.hpp"
 #include "export/lattice_export.hpp"
 #include "export/unrolled.hpp"
@@ -55,6 +56,11 @@ void write_case_copy(const Case& job, const fs::path& folder)
     };
     copy_table(copy.schedule, "spacing.csv");
     if (copy.second_device) copy_table(copy.second_device->schedule, "second_spacing.csv");
+    if (copy.exports.openfoam && copy.exports.openfoam->flow.waveform) {
+        const fs::path original =
+            std::exchange(copy.exports.openfoam->flow.waveform->file, "flow.csv");
+        copy_to(original, folder / "flow.csv");
+    }
     const fs::path file = folder / "case.toml";
     std::ofstream text(file);
     text << "# The case that this folder was made from, with every value explicit.\n"
@@ -93,14 +99,18 @@ int inlet_of(const Chain& chain)
     return nearest_opening(chain.vessel, chain.centerline.sections.front().origin);
 }
 
-void write_foam(const Case& job, const Chain& chain, const fs::path& folder)
+/// Returns what the user should know about the export.
+std::vector<std::string> write_foam(const Case& job, const Chain& chain, const fs::path& folder)
 {
     FoamCaseOptions options = *job.exports.openfoam;
     options.inlet = inlet_of(chain);
+    options.flow.rheology = job.rheology;
     options.program = fs::read_symlink("/proc/self/exe").string();
     options.case_file = "braidzone/case.toml";
     write_foam_case(folder, chain.vessel, chain.resistance, job.fluid, options);
     write_case_copy(job, folder / "braidzone");
+    if (!job.rheology) return {};
+    return {rheology_note(job.fluid)};
 }
 
 std::vector<std::string> write_lattice_of(const Case& job, const Chain& chain,
@@ -108,8 +118,15 @@ std::vector<std::string> write_lattice_of(const Case& job, const Chain& chain,
 {
     LatticeExportOptions options = *job.exports.lattice;
     options.inlet = inlet_of(chain);
-    return write_lattice(folder, make_lattice_nodes(*chain.field, chain.vessel, options.inlet),
-                         chain.vessel, job.fluid, options);
+    std::vector<std::string> notes =
+        write_lattice(folder, make_lattice_nodes(*chain.field, chain.vessel, options.inlet),
+                      chain.vessel, job.fluid, options);
+    if (job.rheology) {
+        notes.push_back(
+            "lattice/ is for a Newtonian fluid of fluid.viscosity; fluid.rheology is for OpenFOAM "
+            "only");
+    }
+    return notes;
 }
 
 }  // namespace
@@ -127,10 +144,13 @@ std::vector<std::string> write_results(const Case& job, const Chain& chain, Stag
         write_field_vdb(folder / "field.vdb", *chain.field, unit);
         write_field_vti(folder / "field.vti", *chain.field, unit);
     }
-    if (last != Stage::exports) return {};
-    if (job.exports.openfoam) write_foam(job, chain, folder / "openfoam");
-    if (!job.exports.lattice) return {};
-    return write_lattice_of(job, chain, folder / "lattice");
+    std::vector<std::string> notes;
+    if (last != Stage::exports) return notes;
+    if (job.exports.openfoam) notes = write_foam(job, chain, folder / "openfoam");
+    if (!job.exports.lattice) return notes;
+    const auto lattice_notes = write_lattice_of(job, chain, folder / "lattice");
+    notes.insert(notes.end(), lattice_notes.begin(), lattice_notes.end());
+    return notes;
 }
 
 std::vector<std::string> files_in(const fs::path& folder)

@@ -5,6 +5,7 @@
 #include "cli/summary.hpp"
 #include "core/error.hpp"
 #include "export/foam_apply.hpp"
+#include "export/foam_fluid.hpp"
 #include "export/law_picture.hpp"
 
 #include <fmt/format.h>
@@ -76,6 +77,7 @@ void apply_case_to_foam(const std::filesystem::path& case_file,
 
     for (const std::string& warning : applied.warnings)
         fmt::print(stderr, "note: {}\n", warning);
+    if (job.rheology) fmt::print(stderr, "note: {}\n", rheology_note(job.fluid));
     if (options.quiet) return;
     fmt::print(
         "{}\n  {} of {} cells in {} zones; Darcy integral {:.6g} m of the sheet, {:.6g} m of the "

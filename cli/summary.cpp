@@ -170,6 +170,8 @@ Json input_files(const Case& job)
     if (!job.schedule.table_file.empty()) add("spacing_table", job.schedule.table_file);
     if (const auto* measured = std::get_if<MeasuredLaw>(&job.law))
         add("loss_table", measured->table);
+    if (job.exports.openfoam && job.exports.openfoam->flow.waveform)
+        add("waveform", job.exports.openfoam->flow.waveform->file);
     if (job.second_device && !job.second_device->schedule.table_file.empty())
         add("second_spacing_table", job.second_device->schedule.table_file);
     return inputs;

@@ -6,9 +6,11 @@
 #include "export/foam_cell_zones.hpp"
 #include "export/foam_face_zones.hpp"
 #include "export/foam_inspection.hpp"
+#include "export/foam_neck.hpp"
 #include "export/foam_per_cell.hpp"
 #include "export/foam_porous_source.hpp"
 #include "export/foam_sac.hpp"
+#include "export/foam_sac_zones.hpp"
 #include "export/foam_thin_layer.hpp"
 #include "export/foam_viscosity.hpp"
 #include "export/foam_zones.hpp"
@@ -27,37 +29,34 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* sac_zone = "sac";
 const std::filesystem::path functions_file = std::filesystem::path("system") / "fdFunctions";
 const std::filesystem::path baffles_file = std::filesystem::path("system") / "fdBaffles";
+
+template <typename Item>
+void append(std::vector<Item>& list, const std::vector<Item>& more)
+{
+    list.insert(list.end(), more.begin(), more.end());
+}
 
 Json quantity(double value, const char* unit)
 {
     return {{"value", value}, {"unit", unit}};
 }
 
-/// Replaces the cell zones that an earlier call wrote.
-void replace_device_zones(const std::filesystem::path& foam_case,
-                          const std::vector<FoamCellZone>& device_zones)
+/// Zones that a call writes and the next one replaces.
+bool is_device_zone(const std::string& name)
 {
-    std::vector<FoamCellZone> zones = read_cell_zones(foam_case);
-    std::erase_if(zones, [](const FoamCellZone& zone) {
-        return zone.name == sac_zone || zone.name == per_cell_zone || zone.name.starts_with("FD_");
-    });
-    zones.insert(zones.end(), device_zones.begin(), device_zones.end());
-    write_cell_zones(foam_case, zones);
+    return name == per_cell_zone || name.starts_with("FD_") || name == sac_cells_zone ||
+           name == sac_neck_zone || name == sac_wall_zone;
 }
 
-/// Replaces the face zones that an earlier call wrote.
-void replace_device_faces(const std::filesystem::path& foam_case,
-                          const std::vector<FoamFaceZone>& device_zones)
+/// Those of the mesh, then those of the device.
+template <typename Zone>
+std::vector<Zone> merged(std::vector<Zone> zones, const std::vector<Zone>& device_zones)
 {
-    std::vector<FoamFaceZone> zones = read_face_zones(foam_case);
-    const auto removed =
-        std::erase_if(zones, [](const FoamFaceZone& zone) { return zone.name.starts_with("FD_"); });
-    if (removed == 0 && device_zones.empty()) return;
+    std::erase_if(zones, [](const Zone& zone) { return is_device_zone(zone.name); });
     zones.insert(zones.end(), device_zones.begin(), device_zones.end());
-    write_face_zones(foam_case, zones);
+    return zones;
 }
 
 /// Refuses a mesh that createBaffles has cut along the device.
@@ -131,7 +130,7 @@ DeviceInCase in_cells(const std::filesystem::path& foam_case, const CellResistan
     const auto fields = directed_fields(resistance);
     if (!fields.empty()) device.cell_zones.push_back({per_cell_zone, resistance.cells});
     const auto sources = per_cell_sources(fields);
-    device.sources.insert(device.sources.end(), sources.begin(), sources.end());
+    append(device.sources, sources);
     const double viscosity = fluid.viscosity / fluid.density;
     device.files = write_directed_fields(foam_case, fields, resistance, mesh, viscosity);
     device.functions = directed_field_functions(fields);
@@ -160,7 +159,7 @@ DeviceInCase on_faces(const std::filesystem::path& foam_case, const ResistanceSh
                                  {"forchheimer", quantity(baffle.inertia, "1/m")}});
     }
     write_text_file(foam_case / baffles_file, baffle_dict(baffles));
-    device.files = {"constant/polyMesh/faceZones", baffles_file};
+    device.files = {baffles_file};
     device.notes.push_back(
         "the baffles come into the mesh by createBaffles -overwrite -dict system/fdBaffles; they "
         "have no resistance along the braid, and simpleFoam needs relaxation factors of 0.3 for p "
@@ -187,28 +186,6 @@ DeviceInCase put(const FoamApplyOptions& options, const ResistanceSheet& sheet,
             break;
     }
     return in_zones(resistance, mesh, options.most_zones);
-}
-
-/// Function objects that report the mean speed in the sac at every iteration.
-std::string sac_functions()
-{
-    return "// Mean speed in the cell zone \"sac\" [m/s]: postProcessing/sacSpeed/.\n"
-           "speed\n{\n"
-           "    type            mag;\n"
-           "    libs            (\"libfieldFunctionObjects.so\");\n"
-           "    field           U;\n"
-           "    writeControl    writeTime;\n"
-           "}\n"
-           "sacSpeed\n{\n"
-           "    type            volFieldValue;\n"
-           "    libs            (\"libfieldFunctionObjects.so\");\n"
-           "    regionType      cellZone;\n"
-           "    name            sac;\n"
-           "    operation       volAverage;\n"
-           "    fields          (mag(U));\n"
-           "    writeFields     no;\n"
-           "    log             no;\n"
-           "}\n";
 }
 
 /// What is wrong with the viscosity of the case, if anything.
@@ -285,9 +262,14 @@ FoamApplication apply_to_foam_case(const std::filesystem::path& foam_case,
     remove_directed_fields(foam_case);
     std::filesystem::remove(foam_case / baffles_file);
     DeviceInCase device = put(options, sheet, resistance, mesh, foam_case);
-    if (!sac.empty()) device.cell_zones.push_back({sac_zone, sac});
-    replace_device_zones(foam_case, device.cell_zones);
-    replace_device_faces(foam_case, device.face_zones);
+    const FoamSacZones of_sac = sac_zones(sac, mesh);
+    append(device.cell_zones, of_sac.cells);
+    append(device.face_zones, of_sac.faces);
+    device.functions += of_sac.functions;
+    write_cell_zones(foam_case, merged(read_cell_zones(foam_case), device.cell_zones));
+    const std::vector<FoamFaceZone> mesh_faces = read_face_zones(foam_case);
+    if (!mesh_faces.empty() || !device.face_zones.empty())
+        write_face_zones(foam_case, merged(mesh_faces, device.face_zones));
 
     FoamApplication result;
     result.num_cells = mesh.num_cells();
@@ -296,7 +278,7 @@ FoamApplication apply_to_foam_case(const std::filesystem::path& foam_case,
     result.integral_sheet = resistance_integral(sheet);
     result.integral_mesh = device.integral;
     result.warnings = resistance.warnings;
-    result.warnings.insert(result.warnings.end(), device.notes.begin(), device.notes.end());
+    append(result.warnings, device.notes);
     if (device.groups.empty() && device.sources.empty())
         result.warnings.push_back(
             "the device meets no flow: it lies on the wall everywhere, and no zone is written");
@@ -304,17 +286,14 @@ FoamApplication apply_to_foam_case(const std::filesystem::path& foam_case,
         result.warnings.push_back(*warning);
 
     result.files = {"constant/polyMesh/cellZones"};
-    const auto add_files = [&](const std::vector<std::filesystem::path>& files) {
-        result.files.insert(result.files.end(), files.begin(), files.end());
-    };
-    add_files(write_porous_sources(foam_case, device.sources));
-    add_files(device.files);
+    if (!device.face_zones.empty()) result.files.emplace_back("constant/polyMesh/faceZones");
+    append(result.files, write_porous_sources(foam_case, device.sources));
+    append(result.files, device.files);
     if (!sac.empty()) {
         double volume = 0.0;
         for (const int cell : sac)
             volume += mesh.cell_volumes[static_cast<std::size_t>(cell)];
         result.sac_volume = volume;
-        device.functions += sac_functions();
     }
     if (device.functions.empty()) {
         std::filesystem::remove(foam_case / functions_file);
@@ -322,7 +301,7 @@ FoamApplication apply_to_foam_case(const std::filesystem::path& foam_case,
         write_text_file(foam_case / functions_file, device.functions);
         result.files.push_back(functions_file);
     }
-    add_files(write_inspection_fields(foam_case, mesh, resistance, device.zones));
+    append(result.files, write_inspection_fields(foam_case, mesh, resistance, device.zones));
     result.files.emplace_back("fd_export.json");
     write_text_file(foam_case / "fd_export.json",
                     report(result, device, resistance, sheet, options));

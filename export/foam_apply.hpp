@@ -34,9 +34,11 @@ struct FoamApplication {
 /// - constant/polyMesh/cellZones: the zones of the form (FD_*, FD) and, where the device closes off
 /// a
 ///   sac, "sac"; zones of the mesh are kept, those of an earlier call replaced
+/// - constant/polyMesh/faceZones, alike: the sac's neck and wall, and with `baffles` FD_*
 /// - constant/fdPorosity: the resistance, included by constant/fvOptions and constant/fvModels
-/// - system/fdFunctions: function objects that the form needs, and one for the mean speed in the
-///   sac; to be included in controlDict (`functions { #includeIfPresent "fdFunctions" }`)
+/// - system/fdFunctions: function objects that the form needs, and those for the flow in the sac;
+/// to
+///   be included in controlDict (`functions { #includeIfPresent "fdFunctions" }`)
 /// - 0/fdDarcy, fdForchheimer, fdNormal, fdVoidFraction, fdSurfaceDensity, fdZone: for inspection;
 ///   no solver reads them
 /// - with `per_cell`: 0/fdNuD_*, which the solver reads

@@ -97,6 +97,12 @@ std::string snappy_hex_mesh_dict(const FoamMeshingPlan& plan)
         has_device ? fmt::format("        device {{ mode distance; levels (({} {})); }}\n",
                                  plan.device_distance, plan.device_level)
                    : "";
+    const std::string device_surface =
+        plan.follows_device
+            ? fmt::format(
+                  "        device {{ level ({0} {0}); faceZone device; faceType internal; }}\n",
+                  plan.device_level)
+            : "";
     return system_header("snappyHexMeshDict") +
            fmt::format(R"(castellatedMesh true;
 snap            true;
@@ -128,7 +134,7 @@ castellatedMeshControls
     );
     refinementSurfaces
     {{
-        vessel
+{device_surface}        vessel
         {{
             level ({level} {level});
             regions
@@ -199,164 +205,8 @@ mergeTolerance 1e-6;
                        fmt::arg("names", names), fmt::arg("device_geometry", device_geometry),
                        fmt::arg("level", level), fmt::arg("patches", patches),
                        fmt::arg("device_region", device_region),
+                       fmt::arg("device_surface", device_surface),
                        fmt::arg("inside", foam_vector(plan.inside)));
-}
-
-std::string control_dict(const FoamSolverPlan& plan)
-{
-    return system_header("controlDict") + fmt::format(R"(application     simpleFoam;
-startFrom       startTime;
-startTime       0;
-stopAt          endTime;
-endTime         {0};
-deltaT          1;
-writeControl    timeStep;
-writeInterval   {0};
-writeFormat     binary;
-writePrecision  12;
-writeCompression off;
-timeFormat      general;
-timePrecision   6;
-runTimeModifiable no;
-
-functions
-{{
-    // Mean kinematic pressure over the inlet; the outlets are at 0.
-    inletPressure
-    {{
-        type            surfaceFieldValue;
-        libs            ("libfieldFunctionObjects.so");
-        regionType      patch;
-        name            inlet;
-        operation       areaAverage;
-        fields          (p);
-        writeFields     no;
-        log             no;
-    }}
-    #includeIfPresent "fdFunctions"
-}}
-)",
-                                                      plan.most_iterations);
-}
-
-std::string fv_schemes()
-{
-    return system_header("fvSchemes") + R"(ddtSchemes
-{
-    default         steadyState;
-}
-gradSchemes
-{
-    default         Gauss linear;
-}
-divSchemes
-{
-    default         none;
-    div(phi,U)      bounded Gauss linearUpwind grad(U);
-    div((nuEff*dev2(T(grad(U))))) Gauss linear;
-}
-laplacianSchemes
-{
-    default         Gauss linear limited corrected 0.5;
-}
-interpolationSchemes
-{
-    default         linear;
-}
-snGradSchemes
-{
-    default         limited corrected 0.5;
-}
-)";
-}
-
-std::string fv_solution(const FoamSolverPlan& plan)
-{
-    return system_header("fvSolution") + fmt::format(R"(solvers
-{{
-    p
-    {{
-        solver          GAMG;
-        smoother        GaussSeidel;
-        tolerance       1e-9;
-        relTol          0.05;
-    }}
-    U
-    {{
-        solver          smoothSolver;
-        smoother        symGaussSeidel;
-        tolerance       1e-10;
-        relTol          0.1;
-    }}
-}}
-
-SIMPLE
-{{
-    consistent      yes;
-    nNonOrthogonalCorrectors 0;
-    residualControl
-    {{
-        p               {0};
-        U               {0};
-    }}
-}}
-
-relaxationFactors
-{{
-    equations
-    {{
-        U               0.9;
-    }}
-}}
-)",
-                                                     plan.tolerance);
-}
-
-std::string transport_properties(const Fluid& fluid)
-{
-    return foam_header("dictionary", "constant", "transportProperties") +
-           fmt::format(
-               "// Kinematic viscosity [m^2/s]: {} Pa s over {} kg/m^3.\n"
-               "transportModel  Newtonian;\nnu              [0 2 -1 0 0 0 0] {};\n",
-               fluid.viscosity, fluid.density, fluid.viscosity / fluid.density);
-}
-
-std::string turbulence_properties()
-{
-    return foam_header("dictionary", "constant", "turbulenceProperties") +
-           "simulationType  laminar;\n";
-}
-
-std::string velocity_field(const std::vector<std::string>& openings, double flow_rate)
-{
-    std::string text = foam_header("volVectorField", "0", "U") +
-                       "dimensions      [0 1 -1 0 0 0 0];\ninternalField   uniform (0 0 0);\n\n"
-                       "boundaryField\n{\n    wall { type noSlip; }\n";
-    for (const std::string& opening : openings) {
-        if (opening == "inlet")
-            text += fmt::format(
-                "    inlet\n    {{\n        type flowRateInletVelocity;\n"
-                "        volumetricFlowRate constant {};\n        value uniform (0 0 0);\n    }}\n",
-                flow_rate);
-        else
-            text += fmt::format(
-                "    {}\n    {{\n        type inletOutlet;\n        inletValue uniform (0 0 0);\n"
-                "        value uniform (0 0 0);\n    }}\n",
-                opening);
-    }
-    return text + "}\n";
-}
-
-std::string pressure_field(const std::vector<std::string>& openings)
-{
-    std::string text = foam_header("volScalarField", "0", "p") +
-                       "dimensions      [0 2 -2 0 0 0 0];\ninternalField   uniform 0;\n\n"
-                       "boundaryField\n{\n    wall { type zeroGradient; }\n";
-    for (const std::string& opening : openings)
-        text += opening == "inlet"
-                    ? "    inlet { type zeroGradient; }\n"
-                    : fmt::format("    {} {{ type fixedValue; value uniform 0; }}\n", opening);
-    return text + "}\n";
 }
 
 }  // namespace braidzone

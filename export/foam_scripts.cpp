@@ -1,5 +1,9 @@
 #include "export/foam_scripts.hpp"
 
+#include <fmt/format.h>
+
+#include <variant>
+
 namespace braidzone {
 
 namespace {
@@ -18,9 +22,12 @@ std::string quoted(const std::string& word)
 }
 
 constexpr const char* allrun_head = R"sh(#!/bin/sh
-# Meshes the lumen, applies the flow diverter's resistance and solves for steady flow.
+# Meshes the lumen, applies the flow diverter's resistance, solves and prints the figures.
 #   ./Allrun                    with the device, in this folder
 #   ./Allrun --without-device   the same mesh without it, in without_device/
+#   ./Allrun --both             one after the other, and what the device changes
+#   --processes N               on N processes, by MPI (MPIRUN: the command, if not mpirun)
+#   --continue                  goes on where a run was stopped
 # The mesh is made once; ./Allclean removes it.
 set -eu
 cd "$(dirname "$0")"
@@ -50,33 +57,109 @@ run()
     }
 }
 
-# solve FOLDER LOG: simpleFoam, from its start fields
+# time_folders FOLDER: the names of its time folders, in order
+time_folders()
+{
+    ls "$1" | grep -E '^[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?$' | sort -n || true
+}
+
+# remove_solution FOLDER
+remove_solution()
+{
+    for time in $(time_folders "$1"); do
+        if [ "$time" != 0 ]; then rm -r "$1/$time"; fi
+    done
+    rm -rf "$1/postProcessing" "$1"/processor[0-9]*
+}
+
+# keep_before FOLDER: forgets what a stopped run reported after the fields that it wrote last
+keep_before()
+{
+    solution=$1
+    if [ -d "$1/processor0" ]; then
+        stopped_on=$(ls -d "$1"/processor[0-9]* | wc -l)
+        [ "$stopped_on" -eq "$processes" ] ||
+            fail "the stopped run was on $((stopped_on)) processes; add --processes $((stopped_on))"
+        solution="$1/processor0"
+    fi
+    latest=$(time_folders "$solution" | tail -n 1)
+    rm -rf "$1"/postProcessing/*/"${latest:-0}"
+}
+
+write_decomposition()
+{
+    # Each prime factor, the largest first, cuts the axis along which the pieces are longest.
+    cuts=$(echo "$processes $extent" | awk '{
+        for (i = 1; i <= 3; i++) { length_of[i] = $(i + 1); cuts[i] = 1 }
+        n = $1
+        while (n > 1) {
+            largest = n
+            for (f = 2; f * f <= largest; )
+                if (largest % f == 0 && largest > f) largest /= f; else f++
+            axis = 1
+            for (i = 2; i <= 3; i++) if (length_of[i] > length_of[axis]) axis = i
+            cuts[axis] *= largest
+            length_of[axis] /= largest
+            n /= largest
+        }
+        print cuts[1], cuts[2], cuts[3]
+    }')
+    cat > system/decomposeParDict <<END
+FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }
+numberOfSubdomains $processes;
+method hierarchical;
+coeffs { n ($cuts); }
+END
+}
+
+# solve FOLDER SUFFIX: from its start fields, or on from its last ones
 solve()
 {
-    for time in "$1"/[1-9]*; do
-        if [ -d "$time" ]; then rm -r "$time"; fi
-    done
-    rm -rf "$1/postProcessing"
-    run "$2" simpleFoam -case "$1"
-    grep "SIMPLE solution converged" "log.$2" || fail "simpleFoam did not converge; see $PWD/log.$2"
-    speed="$1/postProcessing/sacSpeed/0/volFieldValue.dat"
-    if [ -f "$speed" ]; then
-        echo "mean speed in the sac [m/s]: $(tail -n 1 "$speed" | cut -f 2)"
+    if [ "$continued" ]; then keep_before "$1"; else remove_solution "$1"; fi
+    if [ "$processes" -eq 1 ]; then
+        run "$solver$2" "$solver" -case "$1"
+    else
+        as_root=  # which mpirun refuses without being asked to
+        if [ "$(id -u)" -eq 0 ]; then as_root=--allow-run-as-root; fi
+        if [ ! -d "$1/processor0" ]; then run "decomposePar$2" decomposePar -case "$1"; fi
+        run "$solver$2" ${MPIRUN:-mpirun} $as_root -np "$processes" "$solver" -case "$1" -parallel
+        run "reconstructPar$2" reconstructPar -case "$1" -newTimes
+        rm -r "$1"/processor[0-9]*
+    fi
+    if [ "$solver" = simpleFoam ]; then
+        grep "SIMPLE solution converged" "log.$solver$2" ||
+            fail "$solver did not converge; see $PWD/log.$solver$2"
     fi
 }
 
-variant=${1:-}
-case "$variant" in
-    "" | --without-device) ;;
-    *) fail "unknown argument $variant; allowed: --without-device" ;;
-esac
-command -v simpleFoam > /dev/null ||
-    fail "OpenFOAM's simpleFoam is not found (Debian: apt install openfoam)"
+with=yes
+without=
+continued=
+processes=1
+while [ $# -gt 0 ]; do
+    case "$1" in
+        --without-device) with= without=yes ;;
+        --both) with=yes without=yes ;;
+        --continue) continued=yes ;;
+        --processes)
+            processes=${2:-}
+            case "$processes" in
+                "" | 0* | *[!0-9]*) fail "--processes '$processes'; allowed: 1 or more" ;;
+            esac
+            shift
+            ;;
+        *) fail "unknown argument $1; allowed: --without-device, --both, --processes N, --continue" ;;
+    esac
+    shift
+done
+command -v "$solver" > /dev/null ||
+    fail "OpenFOAM's $solver is not found (Debian: apt install openfoam)"
 command -v "$program" > /dev/null ||
     fail "Braidzone is not found at '$program'; set BRAIDZONE to the program's path"
 
 # snappyHexMesh writes cellLevel last.
 if [ ! -f constant/polyMesh/cellLevel ]; then
+    [ ! "$continued" ] || fail "--continue: there is no mesh, and no run that was stopped"
     rm -rf constant/polyMesh
     run blockMesh blockMesh
     run surfaceFeatureExtract surfaceFeatureExtract
@@ -85,55 +168,64 @@ if [ ! -f constant/polyMesh/cellLevel ]; then
     grep "Failed .* mesh checks" log.checkMesh || true
 fi
 
-# Without the device too: the zone of the sac, over which the speed is averaged, comes from here.
-run braidzone "$program" export "$case_file" --onto .
+# Without the device too: the zones of the sac, for the figures, come from here. Baffles cut the
+# mesh along the device; the whole mesh stays in constant/polyMesh.whole.
+whole=constant/polyMesh
+if [ "$form" = baffles ]; then whole=constant/polyMesh.whole; fi
+if [ ! "$continued" ]; then
+    if [ -d constant/polyMesh.whole ]; then
+        rm -rf constant/polyMesh
+        cp -r constant/polyMesh.whole constant/polyMesh
+    fi
+    run braidzone "$program" export "$case_file" --onto .
+    if [ "$form" = baffles ]; then
+        rm -rf constant/polyMesh.whole
+        cp -r constant/polyMesh constant/polyMesh.whole
+        run createBaffles createBaffles -overwrite -dict system/fdBaffles
+    fi
+fi
 
-if [ "$variant" = --without-device ]; then
-    rm -rf without_device
-    mkdir -p without_device/constant without_device/0
-    ln -s ../system without_device/system
-    for shared in polyMesh transportProperties turbulenceProperties; do
-        ln -s "../../constant/$shared" "without_device/constant/$shared"
-    done
-    cp 0/U 0/p without_device/0/
-    # system/fdFunctions reads these if the resistance is in them.
-    for field in 0/fdNuD_*; do
-        if [ -f "$field" ]; then cp "$field" without_device/0/; fi
-    done
-    solve without_device simpleFoam.without_device
+if [ "$processes" -gt 1 ]; then
+    cells=$(sed -n 's/^  "num_cells": \([0-9]*\).*/\1/p' fd_export.json)
+    most=$((cells / 1000))
+    [ "$processes" -le "$most" ] ||
+        fail "--processes $processes is too many for $cells cells; allowed: 1 to $most (1000 cells each)"
+    write_decomposition
+fi
+
+if [ "$with" ]; then solve . ""; fi
+if [ "$without" ]; then
+    if [ ! "$continued" ] || [ ! -d without_device ]; then
+        rm -rf without_device
+        mkdir -p without_device/constant without_device/0
+        ln -s ../system without_device/system
+        ln -s "../../$whole" without_device/constant/polyMesh
+        for shared in transportProperties turbulenceProperties; do
+            ln -s "../../constant/$shared" "without_device/constant/$shared"
+        done
+        cp 0/U 0/p without_device/0/
+        # system/fdFunctions reads these if the resistance is in them.
+        for field in 0/fdNuD_*; do
+            if [ -f "$field" ]; then cp "$field" without_device/0/; fi
+        done
+    fi
+    solve without_device .without_device
+fi
+if [ -f system/fdFunctions ]; then
+    ./flow_figures
 else
-    solve . simpleFoam
+    echo "Allrun: the device closes no sac off; there are no figures of one"
 fi
 )sh";
 
-}  // namespace
-
-std::string allrun_script(const std::string& program, const std::string& case_file)
-{
-    return allrun_head + ("program=" + quoted(program)) + "\ncase_file=" + quoted(case_file) +
-           allrun_body;
-}
-
-std::string allclean_script()
-{
-    return R"sh(#!/bin/sh
-# Removes the mesh, the solutions and the logs.
-set -eu
-cd "$(dirname "$0")"
-for time in [1-9]*; do
-    if [ -d "$time" ]; then rm -r "$time"; fi
-done
-rm -rf constant/polyMesh constant/extendedFeatureEdgeMesh constant/triSurface/vessel.eMesh
-rm -rf without_device postProcessing log.* 0/fd* system/fdFunctions fd_export.json
-)sh";
-}
-
-std::string foam_readme()
-{
-    return R"md(# A treated vessel for OpenFOAM
+constexpr const char* readme_head = R"md(# A treated vessel for OpenFOAM
 
     ./Allrun                    meshes, applies the flow diverter, solves
     ./Allrun --without-device   solves the same mesh without it, in without_device/
+    ./Allrun --both             both, and prints what the device changes
+    ./Allrun --both --processes 8
+    ./Allrun --continue         goes on where a run was stopped (with --processes as it was)
+    ./flow_figures              prints the figures again
     ./Allclean                  removes all that
 
 It runs with OpenFOAM of openfoam.com, v1912 (Debian's package `openfoam`) or later. Braidzone
@@ -147,28 +239,143 @@ moved. OpenFOAM itself needs no plug-in and nothing compiled.
 | `constant/fdPorosity` | the resistance: Darcy-Forchheimer sources on cell zones |
 | `constant/fvOptions`, `fvModels` | include it; the latter is openfoam.org's name |
 | `constant/polyMesh/cellZones` | the zones; `sac`: the cells that the device closes off |
+| `constant/polyMesh/faceZones` | `sac_neck`: the faces between the sac and all other cells; `sac_wall`: its wall |
 | `0/fdDarcy`, `fdForchheimer`, `fdNormal`, `fdVoidFraction`, `fdSurfaceDensity`, `fdZone` | the device in the cells, to look at |
 | `fd_export.json` | units, zones, and the sum over cells against the integral over the device |
-| `postProcessing/sacSpeed` | mean speed in the sac [m/s] at every iteration |
+| `flow_figures.csv` | the figures with and without the device, and the reductions |
+| `postProcessing/neckFlow` | sum of \|flow rate\| over `sac_neck` [m^3/s]: twice the inflow |
+| `postProcessing/sacSpeed` | mean speed in the sac [m/s] |
+| `postProcessing/sacWallShear` | mean wall shear stress on `sac_wall` over the density [m^2/s^2] |
 | `postProcessing/inletPressure` | mean kinematic pressure at the inlet [m^2/s^2] |
+| `postProcessing/inletFlow`, `outlet_1Flow`, ... | flow rates out of the vessel [m^3/s] |
 
 Zones, fields and `fd_export.json` appear when the device is applied to the mesh.
+
+The neck of the figures is `sac_neck`, on the sac's side of the layer of resistant cells, some three
+cells from the braid itself: the same faces with and without the device. Inflow is half the sum of
+\|flow rate\| over them, as what enters leaves again; two streams within one face cancel.
 
 Lengths are in metres. p is the kinematic pressure p / rho [m^2/s^2]: times the density it is in Pa.
 The source is S = -(mu D + 1/2 rho |U| F) U with D in 1/m^2 and F in 1/m along the axes of each zone.
 D belongs to the viscosity in `constant/transportProperties`: export again if that changes.
 
-Flow enters with a given flow rate and a flat profile and leaves against zero pressure. The wall is
-rigid, the flow steady, laminar and Newtonian.
+## Flow
+Laminar flow in a rigid vessel. It enters with a given flow rate and a flat profile.
+)md";
 
-The device is spread over six cells across. The thinner that layer, the nearer to the real one: repeat
-with one more `device_refinement` to see what it changes.
+constexpr const char* rheology_text = R"md(
+Blood is shear-thinning (Carreau-Yasuda; OpenFOAM's BirdCarreau). D was found with the Newtonian
+viscosity of the case file. The zones multiply it with the local viscosity of the resolved flow,
+S = -mu(shear) D U, which knows nothing of the much higher shear between the wires: where the flow
+near the device is slow, its resistance comes out too high.
+)md";
 
+constexpr const char* zones_text = R"md(
+## The device
+Cell zones FD_0000, ..., each with one resistance (`form = "zones"`), in `constant/fdPorosity`. It is
+spread over six cells across. The thinner that layer, the nearer to the real one: repeat with one more
+`device_refinement` to see what it changes.
+)md";
+
+constexpr const char* per_cell_text = R"md(
+## The device
+Each cell of the zone FD has its own resistance tensor (`form = "per_cell"`): sources along fixed
+directions take `0/fdNuD_x`, ... in place of the viscosity. They hold nu D of the case file's
+viscosity, whatever `constant/transportProperties` says. `system/fdFunctions` reads them at the start
+and writes them with every time, so that a run can be continued. The quadratic part is in zones
+FD_0000, ... OpenFOAM of openfoam.com only. What function objects call the porous force is wrong with
+it: they multiply with the real viscosity.
+
+The resistance is spread over six cells across; repeat with one more `device_refinement` to see what
+that changes.
+)md";
+
+constexpr const char* baffles_text = R"md(
+## The device
+Pressure jumps on faces (`form = "baffles"`): the mesh has faces on the device, `createBaffles
+-overwrite -dict system/fdBaffles` makes pairs of cyclic patches of them, FD_0000_front and
+FD_0000_back, ..., with the condition porousBafflePressure. The mesh without them stays in
+`constant/polyMesh.whole`, for the flow without the device too. No thickness, and no resistance along
+the braid, whatever `tangential_ratio` says: flow slips along the device, and the sac moves faster than
+with the other forms. `constant/fdPorosity` is empty.
+)md";
+
+std::string form_text(FoamForm form)
+{
+    switch (form) {
+        case FoamForm::per_cell:
+            return per_cell_text;
+        case FoamForm::baffles:
+            return baffles_text;
+        case FoamForm::zones:
+            break;
+    }
+    return zones_text;
+}
+
+constexpr const char* readme_tail = R"md(
 ## On a mesh of your own
 `braidzone export CASE --onto FOLDER` applies the device to any OpenFOAM mesh of this vessel, in
-metres and not decomposed. It writes the files named above and touches no others. To have the speed
-in the sac, put `#includeIfPresent "fdFunctions"` into `functions` of `system/controlDict`.
+metres and not decomposed. It writes the files named above and touches no others. To have neckFlow,
+sacSpeed and sacWallShear, put `#includeIfPresent "fdFunctions"` into `functions` of
+`system/controlDict`.
 )md";
+
+std::string outlets_text(const FoamOutlets& outlets)
+{
+    if (const auto* given = std::get_if<OutletPressures>(&outlets))
+        return given->pressures.empty() ? "It leaves against zero pressure at each outlet.\n"
+                                        : "It leaves against the pressures given at the outlets.\n";
+    return std::string("Each outlet has its share of the inflow, ") +
+           (std::holds_alternative<MurraySplit>(outlets) ? "as the cube of its radius (Murray 1926)"
+                                                         : "as given") +
+           ", prescribed at all but that\nwith the largest, which is at zero pressure.\n";
+}
+
+}  // namespace
+
+std::string allrun_script(const FoamRunPlan& plan)
+{
+    return allrun_head + ("program=" + quoted(plan.program)) +
+           "\ncase_file=" + quoted(plan.case_file) + "\nsolver=" + plan.solver +
+           "\nform=" + traits_of(plan.form).name +
+           fmt::format("\nextent='{} {} {}'  # m", plan.extent.x(), plan.extent.y(),
+                       plan.extent.z()) +
+           allrun_body;
+}
+
+std::string allclean_script()
+{
+    return R"sh(#!/bin/sh
+# Removes the mesh, the solutions and the logs.
+set -eu
+cd "$(dirname "$0")"
+for time in [1-9]* 0.[0-9]*; do
+    if [ -d "$time" ]; then rm -r "$time"; fi
+done
+rm -rf processor[0-9]* system/decomposeParDict flow_figures.csv
+rm -rf constant/polyMesh constant/polyMesh.whole constant/extendedFeatureEdgeMesh constant/triSurface/vessel.eMesh
+rm -rf without_device postProcessing log.* 0/fd* system/fdFunctions system/fdBaffles fd_export.json
+)sh";
+}
+
+std::string foam_readme(const FoamFlow& flow, FoamForm form)
+{
+    std::string text = readme_head;
+    if (flow.waveform)
+        text += fmt::format(
+            "Flow is pulsatile: pimpleFoam over {} cycles of {:.6g} s, the inflow a table in `0/U` "
+            "that\n"
+            "repeats. The last cycle is kept, 20 times of it, and the figures are means over it. "
+            "It starts\n"
+            "from rest: compare cycles before you trust the last one.\n",
+            flow.cycles, period(*flow.waveform));
+    else
+        text += "Flow is steady (simpleFoam).\n";
+    text += outlets_text(flow.outlets);
+    if (flow.rheology) text += rheology_text;
+    text += form_text(form);
+    return text + readme_tail;
 }
 
 }  // namespace braidzone

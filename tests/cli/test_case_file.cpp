@@ -142,7 +142,7 @@ TEST(CaseFile, GivesEveryValueInSi)
     EXPECT_DOUBLE_EQ(job.deposit.spacing, 0.15e-3);
     EXPECT_EQ(job.deposit.kernel_half_width, 3);
     ASSERT_TRUE(job.exports.openfoam.has_value());
-    EXPECT_EQ(job.exports.openfoam->inlet_velocity, 0.3);
+    EXPECT_EQ(job.exports.openfoam->flow.inlet_velocity, 0.3);
     EXPECT_DOUBLE_EQ(job.exports.openfoam->coarse_cell, 0.4e-3);
     EXPECT_EQ(job.exports.openfoam->surface_refinement, 2);
     EXPECT_EQ(job.exports.openfoam->device_refinement, 3);

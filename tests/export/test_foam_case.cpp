@@ -98,7 +98,7 @@ TEST(WriteFoamCase, StatesFlowFluidAndMesh)
     const Vessel vessel = test::tube_vessel(radius, length);
     const Fluid fluid{1000.0, 4e-3};
     FoamCaseOptions options;
-    options.inlet_velocity = 0.3;
+    options.flow.inlet_velocity = 0.3;
     options.inlet = 1;
     write_foam_case(folder.path(), vessel, sheet_in_tube(1.0), fluid, options);
 
@@ -145,8 +145,8 @@ TEST(WriteFoamCase, RefusesOptionsOutOfRange)
     const auto write = [&](const FoamCaseOptions& options) {
         write_foam_case(folder.path(), vessel, sheet_in_tube(1.0), Fluid{}, options);
     };
-    EXPECT_THROW(write({.inlet_velocity = 0.0}), InputError);
-    EXPECT_THROW(write({.inlet_velocity = std::nan("")}), InputError);
+    EXPECT_THROW(write({.flow = {.inlet_velocity = 0.0}}), InputError);
+    EXPECT_THROW(write({.flow = {.inlet_velocity = std::nan("")}}), InputError);
     EXPECT_THROW(write({.coarse_cell = -1e-3}), InputError);
     EXPECT_THROW(write({.device_refinement = 7}), InputError);
     EXPECT_THROW(write({.inlet = 2}), InputError);
@@ -159,7 +159,7 @@ protected:
         folder_.write("bin/simpleFoam", "#!/bin/sh\n");
         std::filesystem::permissions(folder_.path() / "bin/simpleFoam",
                                      std::filesystem::perms::owner_all);
-        folder_.write("Allrun", allrun_script("/nowhere/it's here", "case.toml"));
+        folder_.write("Allrun", allrun_script({"/nowhere/it's here", "case.toml"}));
     }
     /// Runs Allrun with a stand-in for OpenFOAM; its messages and exit status.
     std::pair<std::string, int> run(const std::string& environment, const std::string& arguments)

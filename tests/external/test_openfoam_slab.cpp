@@ -2,8 +2,9 @@
 // exports devices, solved by OpenFOAM: the pressure drop is that of the closed form.
 
 #include "export/foam_apply.hpp"
-#include "export/foam_dictionaries.hpp"
+#include "export/foam_fluid.hpp"
 #include "export/foam_format.hpp"
+#include "export/foam_solver.hpp"
 #include "export/text_file.hpp"
 #include "external/openfoam.hpp"
 #include "support/braids.hpp"

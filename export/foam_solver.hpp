@@ -1,0 +1,38 @@
+#pragma once
+
+#include "export/foam_flow.hpp"
+#include "export/foam_form.hpp"
+
+#include <string>
+#include <vector>
+
+namespace braidzone {
+
+/// How a case is solved. Without `flow.waveform` steady by simpleFoam (SIMPLEC), until the initial
+/// residuals of pressure and velocity are below `tolerance`; with it by pimpleFoam over
+/// `flow.cycles` periods. Baffles make SIMPLEC diverge: with them SIMPLE, relaxed to 0.3 for
+/// pressure and 0.7 for velocity.
+struct FoamSolverPlan {
+    double tolerance = 1e-5;  ///< of steady flow [-]
+    int most_iterations = 3000;
+    FoamFlow flow = {};
+    FoamForm form = FoamForm::zones;         ///< of the device
+    std::vector<std::string> openings = {};  ///< patches whose flow rates are written
+};
+
+/// "simpleFoam" or "pimpleFoam".
+std::string solver_name(const FoamFlow& flow);
+
+/// Text of system/controlDict. It goes on from the latest time there is, so that a stopped run is
+/// continued by calling the solver again; pulsatile flow is written 20 times a period, and the last
+/// period is kept.
+std::string control_dict(const FoamSolverPlan& plan);
+
+/// Text of system/fvSchemes: second order in space (convection: linear upwind) and, pulsatile, in
+/// time.
+std::string fv_schemes(const FoamSolverPlan& plan = {});
+
+/// Text of system/fvSolution.
+std::string fv_solution(const FoamSolverPlan& plan);
+
+}  // namespace braidzone
