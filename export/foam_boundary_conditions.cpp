@@ -17,15 +17,14 @@ std::string flow_rate_entries(const FoamFlow& flow, double inlet_area, double sh
     if (!flow.waveform)
         return fmt::format("        volumetricFlowRate constant {};\n",
                            share * flow.inlet_velocity * inlet_area);
+    // Not in a dictionary of its own: v1912 looks for these entries beside each other.
     std::string text =
-        "        volumetricFlowRate table;\n"
-        "        volumetricFlowRateCoeffs\n        {\n"
-        "            outOfBounds repeat;  // [s] and [m^3/s]\n"
-        "            values\n            (\n";
+        "        outOfBounds repeat;\n"
+        "        volumetricFlowRate table  // [s] and [m^3/s]\n        (\n";
     for (std::size_t i = 0; i < flow.waveform->times.size(); ++i)
-        fmt::format_to(std::back_inserter(text), "                ({} {})\n",
-                       flow.waveform->times[i], share * flow.waveform->flow_rates[i]);
-    return text + "            );\n        }\n";
+        fmt::format_to(std::back_inserter(text), "            ({} {})\n", flow.waveform->times[i],
+                       share * flow.waveform->flow_rates[i]);
+    return text + "        );\n";
 }
 
 }  // namespace

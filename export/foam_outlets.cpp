@@ -26,8 +26,8 @@ void set_conditions(const OutletPressures& given, const std::vector<FoamOpening*
     require_one_each(given.pressures.size(), "outlet pressures", outlets.size());
     for (std::size_t i = 0; i < outlets.size(); ++i) {
         if (!std::isfinite(given.pressures[i]))
-            throw InputError(
-                fmt::format("pressure {} Pa at {}", given.pressures[i], outlets[i]->name));
+            throw InputError(fmt::format("pressure {} Pa at {}; it must be finite",
+                                         given.pressures[i], outlets[i]->name));
         outlets[i]->pressure = given.pressures[i];
     }
 }

@@ -57,8 +57,8 @@ run()
     }
 }
 
-# times FOLDER: the names of its time folders, in order
-times()
+# time_folders FOLDER: the names of its time folders, in order
+time_folders()
 {
     ls "$1" | grep -E '^[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?$' | sort -n || true
 }
@@ -66,7 +66,7 @@ times()
 # remove_solution FOLDER
 remove_solution()
 {
-    for time in $(times "$1"); do
+    for time in $(time_folders "$1"); do
         if [ "$time" != 0 ]; then rm -r "$1/$time"; fi
     done
     rm -rf "$1/postProcessing" "$1"/processor[0-9]*
@@ -82,7 +82,7 @@ keep_before()
             fail "the stopped run was on $((stopped_on)) processes; add --processes $((stopped_on))"
         solution="$1/processor0"
     fi
-    latest=$(times "$solution" | tail -n 1)
+    latest=$(time_folders "$solution" | tail -n 1)
     rm -rf "$1"/postProcessing/*/"${latest:-0}"
 }
 
@@ -94,8 +94,8 @@ write_decomposition()
         n = $1
         while (n > 1) {
             largest = n
-            for (m = n, f = 2; f * f <= m; ) if (m % f == 0) { m /= f } else f++
-            largest = m
+            for (f = 2; f * f <= largest; )
+                if (largest % f == 0 && largest > f) largest /= f; else f++
             axis = 1
             for (i = 2; i <= 3; i++) if (length_of[i] > length_of[axis]) axis = i
             cuts[axis] *= largest
@@ -119,8 +119,7 @@ solve()
     if [ "$processes" -eq 1 ]; then
         run "$solver$2" "$solver" -case "$1"
     else
-        # Solver and root: as root mpirun asks for more.
-        as_root=
+        as_root=  # which mpirun refuses without being asked to
         if [ "$(id -u)" -eq 0 ]; then as_root=--allow-run-as-root; fi
         if [ ! -d "$1/processor0" ]; then run "decomposePar$2" decomposePar -case "$1"; fi
         run "$solver$2" ${MPIRUN:-mpirun} $as_root -np "$processes" "$solver" -case "$1" -parallel
