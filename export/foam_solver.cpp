@@ -182,7 +182,7 @@ relaxationFactors
         solver          GAMG;
         smoother        GaussSeidel;
         tolerance       1e-9;
-        relTol          0.05;
+        relTol          0.01;
     }}
     U
     {{

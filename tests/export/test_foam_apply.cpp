@@ -3,12 +3,11 @@
 #include "export/foam_cell_zones.hpp"
 #include "export/foam_face_zones.hpp"
 #include "export/foam_format.hpp"
-#include "export/text_file.hpp"
 #include "support/braids.hpp"
 #include "support/foam_box.hpp"
+#include "support/foam_poly_mesh.hpp"
 #include "support/temporary_folder.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -25,44 +24,6 @@ std::string text_of(const std::filesystem::path& file)
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Writes a mesh as an ASCII polyMesh; only the lowest `num_open` faces of inlet and outlet stay
-/// open, the others become wall.
-void write_mesh(const std::filesystem::path& foam_case, const FoamMesh& mesh, int num_open)
-{
-    const auto folder = foam_case / "constant/polyMesh";
-    const auto list = [](const auto& items, auto text_of_item) {
-        std::string text = fmt::format("{}\n(\n", items.size());
-        for (const auto& item : items)
-            text += text_of_item(item) + "\n";
-        return text + ")\n";
-    };
-    const auto number = [](int value) { return std::to_string(value); };
-    write_text_file(folder / "points", foam_header("vectorField", "constant/polyMesh", "points") +
-                                           list(mesh.points, foam_vector));
-    write_text_file(folder / "faces", foam_header("faceList", "constant/polyMesh", "faces") +
-                                          list(mesh.faces, [](const std::vector<int>& face) {
-                                              return fmt::format("{}({})", face.size(),
-                                                                 fmt::join(face, " "));
-                                          }));
-    write_text_file(folder / "owner", foam_header("labelList", "constant/polyMesh", "owner") +
-                                          list(mesh.owner, number));
-    write_text_file(
-        folder / "neighbour",
-        foam_header("labelList", "constant/polyMesh", "neighbour") + list(mesh.neighbour, number));
-    std::string patches;
-    for (const FoamPatch& patch : mesh.patches) {
-        const int open = patch.type == "patch" ? num_open : 0;
-        if (open > 0)
-            patches += fmt::format("{} {{ type patch; nFaces {}; startFace {}; }}\n", patch.name,
-                                   open, patch.start_face);
-        patches += fmt::format("{}_rest {{ type wall; nFaces {}; startFace {}; }}\n", patch.name,
-                               patch.num_faces - open, patch.start_face + open);
-    }
-    write_text_file(folder / "boundary",
-                    foam_header("polyBoundaryMesh", "constant/polyMesh", "boundary") + "5(\n" +
-                        patches + ")\n");
-}
-
 /// A sheet over the whole block at height z.
 ResistanceSheet sheet_at(double z)
 {
@@ -76,7 +37,11 @@ protected:
     // A vessel of 0.8 mm under a sac of 2.2 mm: 2 x 2 x 3 mm in cells of 0.1 mm.
     void SetUp() override
     {
-        write_mesh(folder_.path(), test::foam_box({20, 20, 30}, 0.1e-3), 20 * 8);
+        FoamMesh mesh = test::foam_box({20, 20, 30}, 0.1e-3);
+        for (const char* patch : {"inlet", "outlet"})
+            test::split_patch(mesh, patch, {std::string(patch) + "_rest", "wall"},
+                              [](const Vec3& centre) { return centre.z() > 0.8e-3; });
+        test::write_poly_mesh(folder_.path(), mesh);
     }
     test::TemporaryFolder folder_;
 };
@@ -108,6 +73,13 @@ TEST_F(ApplyToFoamCase, FindsTheSacAndReportsItsSpeed)
     EXPECT_EQ(read_cell_zones(folder_.path()).back().name, "sac");
     EXPECT_NE(text_of(folder_.path() / "system/fdFunctions").find("volFieldValue"),
               std::string::npos);
+    // A neck of 20 x 20 faces; around the sac four sides of 15 layers and a roof.
+    const auto faces = read_face_zones(folder_.path());
+    ASSERT_EQ(faces.size(), 2U);
+    EXPECT_EQ(faces[0].name, "sac_neck");
+    EXPECT_EQ(faces[0].faces.size(), 400U);
+    EXPECT_EQ(faces[1].name, "sac_wall");
+    EXPECT_EQ(faces[1].faces.size(), 4U * 20U * 15U + 400U);
 }
 
 // Applied again where it closes nothing off: the old zones, and the report on the sac, are gone.
@@ -121,6 +93,7 @@ TEST_F(ApplyToFoamCase, ReplacesWhatItWroteBefore)
     EXPECT_EQ(applied.num_zones, 0);
     EXPECT_FALSE(applied.sac_volume.has_value());
     EXPECT_TRUE(read_cell_zones(folder_.path()).empty());
+    EXPECT_TRUE(read_face_zones(folder_.path()).empty());
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "system/fdFunctions"));
     ASSERT_EQ(applied.warnings.size(), 1U);
     EXPECT_NE(applied.warnings[0].find("the device meets no flow"), std::string::npos);

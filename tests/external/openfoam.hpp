@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/csv_fields.hpp"
+#include "export/foam_format.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -54,6 +57,43 @@ inline std::vector<double> last_row(const std::filesystem::path& file)
         if (c == '(' || c == ')') c = ' ';
     std::istringstream words(last);
     return {std::istream_iterator<double>(words), {}};
+}
+
+/// The values of a field that OpenFOAM wrote, by the given list reader: at cells, or at internal
+/// faces.
+template <class Read>
+auto internal_field(const std::filesystem::path& file, Read read)
+{
+    FoamReader reader(file);
+    while (reader.word() != "internalField")
+        reader.entry();
+    reader.word();  // nonuniform
+    reader.word();  // List<...>
+    return read(reader);
+}
+
+inline std::vector<double> scalar_field(const std::filesystem::path& file)
+{
+    return internal_field(file, [](FoamReader& reader) { return reader.scalars(); });
+}
+
+inline std::vector<Vec3> vector_field(const std::filesystem::path& file)
+{
+    return internal_field(file, [](FoamReader& reader) { return reader.vectors(); });
+}
+
+/// The folder of the latest time of a case.
+inline std::filesystem::path latest_time(const std::filesystem::path& foam_case)
+{
+    std::filesystem::path latest = foam_case / "0";
+    double time = 0.0;
+    for (const auto& entry : std::filesystem::directory_iterator(foam_case)) {
+        const auto value = csv_number(entry.path().filename().string());
+        if (!value || *value < time) continue;
+        time = *value;
+        latest = entry.path();
+    }
+    return latest;
 }
 
 /// Iterations after which simpleFoam found its criterion met; -1 if it did not.

@@ -3,7 +3,6 @@
 #include "core/phantom.hpp"
 #include "core/vessel.hpp"
 #include "export/foam_case.hpp"
-#include "export/foam_format.hpp"
 #include "export/foam_mesh.hpp"
 #include "export/text_file.hpp"
 #include "external/openfoam.hpp"
@@ -19,27 +18,15 @@
 namespace braidzone {
 namespace {
 
-/// The cell values of a field that OpenFOAM wrote, by the given list reader.
-template <class Read>
-auto internal_field(const std::filesystem::path& file, Read read)
-{
-    FoamReader reader(file);
-    while (reader.word() != "internalField")
-        reader.entry();
-    reader.word();  // nonuniform
-    reader.word();  // List<...>
-    return read(reader);
-}
-
 void expect_openfoams_geometry(const std::filesystem::path& folder, double tolerance)
 {
     ASSERT_TRUE(test::run_in(folder, "postProcess -func writeCellCentres", "log.centres"));
     ASSERT_TRUE(test::run_in(folder, "postProcess -func writeCellVolumes", "log.volumes"));
     const FoamMesh mesh = read_foam_mesh(folder);
     const auto centres =
-        internal_field(folder / "0/C", [](FoamReader& reader) { return reader.vectors(); });
+        test::internal_field(folder / "0/C", [](FoamReader& reader) { return reader.vectors(); });
     const auto volumes =
-        internal_field(folder / "0/V", [](FoamReader& reader) { return reader.scalars(); });
+        test::internal_field(folder / "0/V", [](FoamReader& reader) { return reader.scalars(); });
     ASSERT_EQ(centres.size(), mesh.cell_centres.size());
     ASSERT_EQ(volumes.size(), mesh.cell_volumes.size());
     double worst_centre = 0.0, worst_volume = 0.0;
