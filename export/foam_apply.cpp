@@ -202,6 +202,14 @@ std::optional<std::string> viscosity_warning(const std::filesystem::path& foam_c
         *found, expected, fluid.viscosity, fluid.density);
 }
 
+/// A decomposed copy of the mesh does not get the device.
+std::optional<std::string> decomposition_warning(const std::filesystem::path& foam_case)
+{
+    if (!std::filesystem::exists(foam_case / "processor0")) return std::nullopt;
+    return "processor0, ... hold the case without what is written now: run decomposePar -force "
+           "again";
+}
+
 /// The expected error of the pressure drop at some velocities through the device's mean resistance.
 Json thin_layer_errors(double cells_across, const ResistanceSheet& sheet)
 {
@@ -282,8 +290,9 @@ FoamApplication apply_to_foam_case(const std::filesystem::path& foam_case,
     if (device.groups.empty() && device.sources.empty())
         result.warnings.push_back(
             "the device meets no flow: it lies on the wall everywhere, and no zone is written");
-    if (const auto warning = viscosity_warning(foam_case, sheet.fluid))
-        result.warnings.push_back(*warning);
+    for (const auto& warning :
+         {viscosity_warning(foam_case, sheet.fluid), decomposition_warning(foam_case)})
+        if (warning) result.warnings.push_back(*warning);
 
     result.files = {"constant/polyMesh/cellZones"};
     if (!device.face_zones.empty()) result.files.emplace_back("constant/polyMesh/faceZones");

@@ -184,10 +184,18 @@ TEST_F(ApplyToFoamCase, SaysThatTheCaseHasAnotherViscosity)
     EXPECT_NE(applied.warnings[0].find("viscosity of 4e-06 m^2/s"), std::string::npos);
 }
 
+TEST_F(ApplyToFoamCase, SaysThatDecomposedCopiesAreOld)
+{
+    folder_.write("processor0/constant/polyMesh/points", "");
+    const FoamApplication applied = apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
+    ASSERT_EQ(applied.warnings.size(), 1U);
+    EXPECT_NE(applied.warnings[0].find("run decomposePar -force again"), std::string::npos);
+}
+
 TEST(ApplyToFoamMesh, RefusesMillimetres)
 {
     const test::TemporaryFolder folder;
-    write_mesh(folder.path(), test::foam_box({20, 20, 30}, 0.1), 20 * 8);
+    test::write_poly_mesh(folder.path(), test::foam_box({20, 20, 30}, 0.1));
     try {
         apply_to_foam_case(folder.path(), sheet_at(1.23e-3));
         FAIL();
@@ -201,14 +209,9 @@ TEST(ApplyToFoamMesh, RefusesBafflesOfAnEarlierCall)
 {
     const test::TemporaryFolder folder;
     FoamMesh mesh = test::foam_box({20, 20, 30}, 0.1e-3);
-    mesh.patches.back() = {"FD_0000_front", "cyclic", mesh.patches.back().start_face,
-                           mesh.patches.back().num_faces};
-    write_mesh(folder.path(), mesh, 20 * 8);
-    const auto file = folder.path() / "constant/polyMesh/boundary";
-    std::string boundary = text_of(file);
-    boundary.replace(boundary.find("FD_0000_front_rest { type wall"), 30,
-                     "FD_0000_front_rest { type cyclic");
-    write_text_file(file, boundary);
+    mesh.patches.back().name = "FD_0000_front";
+    mesh.patches.back().type = "cyclic";
+    test::write_poly_mesh(folder.path(), mesh);
     EXPECT_THROW(apply_to_foam_case(folder.path(), sheet_at(1.23e-3)), InputError);
 }
 
