@@ -73,6 +73,7 @@ std::vector<FoamOpening> foam_openings(const Vessel& vessel, int inlet, const Fo
     for (std::size_t i = 0; i < names.size(); ++i) {
         openings[i].name = names[i];
         openings[i].area = vessel.openings[i].area;
+        openings[i].centre = vessel.openings[i].centre;
         if (!openings[i].is_inlet()) those_out.push_back(&openings[i]);
     }
     std::visit([&](const auto& given) { set_conditions(given, those_out); }, outlets);

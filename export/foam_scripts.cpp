@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace braidzone {
@@ -241,7 +243,6 @@ The source is S = -(mu D + 1/2 rho |U| F) U with D in 1/m^2 and F in 1/m along t
 D belongs to the viscosity in `constant/transportProperties`: export again if that changes.
 
 ## Flow
-Laminar flow in a rigid vessel. It enters with a given flow rate and a flat profile.
 )md";
 
 constexpr const char* rheology_text = R"md(
@@ -262,15 +263,29 @@ sacSpeed and sacWallShear, put `#includeIfPresent "fdFunctions"` into `functions
 `system/controlDict`.
 )md";
 
-std::string outlets_text(const FoamOutlets& outlets)
+/// What holds at an opening.
+std::string condition_text(const FoamOpening& opening, const FoamFlow& flow)
 {
-    if (const auto* given = std::get_if<OutletPressures>(&outlets))
-        return given->pressures.empty() ? "It leaves against zero pressure at each outlet.\n"
-                                        : "It leaves against the pressures given at the outlets.\n";
-    return std::string("Each outlet has its share of the inflow, ") +
-           (std::holds_alternative<MurraySplit>(outlets) ? "as the cube of its radius (Murray 1926)"
-                                                         : "as given") +
-           ", prescribed at all but that\nwith the largest, which is at zero pressure.\n";
+    if (opening.is_inlet())
+        return fmt::format("{} {:.4g} mL/s in, flat profile",
+                           flow.waveform ? "pulsatile inflow, mean" : "inflow,",
+                           1e6 * mean_inflow(flow, opening.area));
+    if (opening.share) return fmt::format("{:.4g} % of the inflow leaves", 100.0 * *opening.share);
+    return fmt::format("pressure {:.4g} Pa", opening.pressure);
+}
+
+std::string openings_table(const std::vector<FoamOpening>& openings, const FoamFlow& flow)
+{
+    std::string text = "\n| patch | diameter [mm] | centre [mm] | condition |\n|---|---|---|---|\n";
+    for (const FoamOpening& opening : openings) {
+        const Vec3 centre = 1e3 * opening.centre;
+        text += fmt::format("| {} | {:.4g} | {:.4g}, {:.4g}, {:.4g} | {} |\n", opening.name,
+                            2e3 * std::sqrt(opening.area / std::numbers::pi), centre.x(),
+                            centre.y(), centre.z(), condition_text(opening, flow));
+    }
+    if (std::holds_alternative<MurraySplit>(flow.outlets))
+        text += "\nShares are as the cubes of the outlets' radii (Murray 1926).\n";
+    return text;
 }
 
 }  // namespace
@@ -299,20 +314,20 @@ rm -rf without_device postProcessing log.* 0/fd* system/fdFunctions fd_export.js
 )sh";
 }
 
-std::string foam_readme(const FoamFlow& flow)
+std::string foam_readme(const FoamFlow& flow, const std::vector<FoamOpening>& openings)
 {
     std::string text = readme_head;
     if (flow.waveform)
         text += fmt::format(
-            "Flow is pulsatile: pimpleFoam over {} cycles of {:.6g} s, the inflow a table in `0/U` "
-            "that\n"
-            "repeats. The last cycle is kept, 20 times of it, and the figures are means over it. "
-            "It starts\n"
-            "from rest: compare cycles before you trust the last one.\n",
+            "Laminar and pulsatile, in a rigid vessel: pimpleFoam over {} cycles of {:.6g} s, the "
+            "inflow a table\nin `0/U` that repeats. The last cycle is kept, 20 times of it, and "
+            "the "
+            "figures are means over it. The\nflow starts from rest: compare the cycles before you "
+            "trust the last one.\n",
             flow.cycles, period(*flow.waveform));
     else
-        text += "Flow is steady (simpleFoam).\n";
-    text += outlets_text(flow.outlets);
+        text += "Laminar and steady, in a rigid vessel: simpleFoam.\n";
+    text += openings_table(openings, flow);
     if (flow.rheology) text += rheology_text;
     return text + readme_tail;
 }

@@ -4,6 +4,7 @@
 #include "export/foam_flow.hpp"
 
 #include <string>
+#include <vector>
 
 namespace braidzone {
 
@@ -23,6 +24,6 @@ std::string allrun_script(const FoamRunPlan& plan);
 std::string allclean_script();
 
 /// The folder's README.
-std::string foam_readme(const FoamFlow& flow);
+std::string foam_readme(const FoamFlow& flow, const std::vector<FoamOpening>& openings);
 
 }  // namespace braidzone
