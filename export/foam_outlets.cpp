@@ -16,8 +16,8 @@ namespace {
 void require_one_each(std::size_t given, const char* what, std::size_t num_outlets)
 {
     if (given == num_outlets) return;
-    throw InputError(fmt::format("{} {} for {} outlets (outlet_1 to outlet_{}); one each is needed",
-                                 given, what, num_outlets, num_outlets));
+    throw InputError(fmt::format("{} {} for {} outlet{}; one each is needed", given, what,
+                                 num_outlets, num_outlets == 1 ? "" : "s"));
 }
 
 void set_conditions(const OutletPressures& given, const std::vector<FoamOpening*>& outlets)

@@ -1,5 +1,7 @@
 #include "export/foam_scripts.hpp"
 
+#include "export/foam_boundary_conditions.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -263,17 +265,6 @@ sacSpeed and sacWallShear, put `#includeIfPresent "fdFunctions"` into `functions
 `system/controlDict`.
 )md";
 
-/// What holds at an opening.
-std::string condition_text(const FoamOpening& opening, const FoamFlow& flow)
-{
-    if (opening.is_inlet())
-        return fmt::format("{} {:.4g} mL/s in, flat profile",
-                           flow.waveform ? "pulsatile inflow, mean" : "inflow,",
-                           1e6 * mean_inflow(flow, opening.area));
-    if (opening.share) return fmt::format("{:.4g} % of the inflow leaves", 100.0 * *opening.share);
-    return fmt::format("pressure {:.4g} Pa", opening.pressure);
-}
-
 std::string openings_table(const std::vector<FoamOpening>& openings, const FoamFlow& flow)
 {
     std::string text = "\n| patch | diameter [mm] | centre [mm] | condition |\n|---|---|---|---|\n";
@@ -281,7 +272,7 @@ std::string openings_table(const std::vector<FoamOpening>& openings, const FoamF
         const Vec3 centre = 1e3 * opening.centre;
         text += fmt::format("| {} | {:.4g} | {:.4g}, {:.4g}, {:.4g} | {} |\n", opening.name,
                             2e3 * std::sqrt(opening.area / std::numbers::pi), centre.x(),
-                            centre.y(), centre.z(), condition_text(opening, flow));
+                            centre.y(), centre.z(), opening_condition(opening, flow));
     }
     if (std::holds_alternative<MurraySplit>(flow.outlets))
         text += "\nShares are as the cubes of the outlets' radii (Murray 1926).\n";
