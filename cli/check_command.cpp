@@ -1,6 +1,8 @@
 #include "cli/case_geometry.hpp"
 #include "cli/commands.hpp"
 #include "core/triangle_mesh.hpp"
+#include "export/foam_boundary_conditions.hpp"
+#include "export/foam_fluid.hpp"
 
 #include <fmt/format.h>
 
@@ -122,6 +124,20 @@ void print_resistance(const Case& job, const ResistanceSheet& sheet)
         fmt::print("  note: {}\n", warning);
 }
 
+/// The flow of the OpenFOAM case, opening by opening.
+void print_flow(const FoamFlow& flow, const Chain& chain)
+{
+    const int inlet = nearest_opening(chain.vessel, chain.centerline.sections.front().origin);
+    const char* label = "openfoam";
+    int index = 0;
+    for (const FoamOpening& opening : foam_openings(chain.vessel, inlet, flow.outlets)) {
+        fmt::print("{:<11} {}, opening {}: {}\n", label, opening.name, index++,
+                   opening_condition(opening, flow));
+        label = "";
+    }
+    if (flow.waveform) fmt::print("  {} cycles of {:.6g} s\n", flow.cycles, period(*flow.waveform));
+}
+
 /// Voxels of the box around the device; the field's own grid has a small margin.
 double expected_voxels(const Deployment& deployment, double spacing)
 {
@@ -153,6 +169,8 @@ void check_case(const std::filesystem::path& case_file, const CommonOptions& opt
         print_openings(chain.second->deployment, chain.second->openings);
     }
     print_resistance(job, chain.resistance);
+    if (job.exports.openfoam) print_flow(job.exports.openfoam->flow, chain);
+    if (job.rheology) fmt::print("  note: {}\n", rheology_note(job.fluid));
     const BraidLattice& lattice = chain.deployment.lattice;
     fmt::print(
         "cost        {} rings of {} nodes, {} steps in {:.2g} s; about {:.2g} million voxels of "

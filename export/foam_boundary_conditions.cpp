@@ -64,4 +64,14 @@ std::string pressure_field(const std::vector<FoamOpening>& openings, double dens
     return text + "}\n";
 }
 
+std::string opening_condition(const FoamOpening& opening, const FoamFlow& flow)
+{
+    if (opening.is_inlet())
+        return fmt::format("{} {:.4g} mL/s in, flat profile",
+                           flow.waveform ? "pulsatile inflow, mean" : "inflow,",
+                           1e6 * mean_inflow(flow, opening.area));
+    if (opening.share) return fmt::format("{:.4g} % of the inflow leaves", 100.0 * *opening.share);
+    return fmt::format("pressure {:.4g} Pa", opening.pressure);
+}
+
 }  // namespace braidzone

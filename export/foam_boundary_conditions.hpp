@@ -18,4 +18,7 @@ std::string velocity_field(const std::vector<FoamOpening>& openings, const FoamF
 /// @param density  [kg/m^3]
 std::string pressure_field(const std::vector<FoamOpening>& openings, double density);
 
+/// What holds at an opening, for people to read: "inflow, 2.8 mL/s in, flat profile".
+std::string opening_condition(const FoamOpening& opening, const FoamFlow& flow);
+
 }  // namespace braidzone

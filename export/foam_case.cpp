@@ -115,7 +115,7 @@ void write_foam_case(const std::filesystem::path& folder, const Vessel& vessel,
     run.extent = plan.block.upper() - plan.block.lower;
     write_script(folder / "Allrun", allrun_script(run));
     write_script(folder / "Allclean", allclean_script());
-    write_text_file(folder / "README.md", foam_readme(options.flow, options.form));
+    write_text_file(folder / "README.md", foam_readme(options.flow, openings, options.form));
 }
 
 }  // namespace braidzone

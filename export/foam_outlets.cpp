@@ -16,8 +16,8 @@ namespace {
 void require_one_each(std::size_t given, const char* what, std::size_t num_outlets)
 {
     if (given == num_outlets) return;
-    throw InputError(fmt::format("{} {} for {} outlets (outlet_1 to outlet_{}); one each is needed",
-                                 given, what, num_outlets, num_outlets));
+    throw InputError(fmt::format("{} {} for {} outlet{}; one each is needed", given, what,
+                                 num_outlets, num_outlets == 1 ? "" : "s"));
 }
 
 void set_conditions(const OutletPressures& given, const std::vector<FoamOpening*>& outlets)
@@ -73,6 +73,7 @@ std::vector<FoamOpening> foam_openings(const Vessel& vessel, int inlet, const Fo
     for (std::size_t i = 0; i < names.size(); ++i) {
         openings[i].name = names[i];
         openings[i].area = vessel.openings[i].area;
+        openings[i].centre = vessel.openings[i].centre;
         if (!openings[i].is_inlet()) those_out.push_back(&openings[i]);
     }
     std::visit([&](const auto& given) { set_conditions(given, those_out); }, outlets);

@@ -30,12 +30,13 @@ using FoamOutlets = std::variant<OutletPressures, OutletShares, MurraySplit>;
 
 /// An opening of the vessel as a patch, and what holds there.
 struct FoamOpening {
-    std::string name;       ///< "inlet", or "outlet_1", ...
-    double area = 0.0;      ///< [m^2]
-    double pressure = 0.0;  ///< at an outlet without a share [Pa]
+    std::string name;            ///< "inlet", or "outlet_1", ...
+    double area = 0.0;           ///< [m^2]
+    Vec3 centre = Vec3::Zero();  ///< [m]
+    double pressure = 0.0;       ///< at an outlet without a share [Pa]
     /// Prescribed part of the inflow that leaves here. One outlet of a split, the one with the
     /// largest share, has none: its pressure is zero, and what leaves there closes the balance.
-    std::optional<double> share;
+    std::optional<double> share = {};
     bool is_inlet() const { return name == "inlet"; }
 };
 

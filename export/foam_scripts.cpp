@@ -1,7 +1,11 @@
 #include "export/foam_scripts.hpp"
 
+#include "export/foam_boundary_conditions.hpp"
+
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace braidzone {
@@ -260,7 +264,6 @@ The source is S = -(mu D + 1/2 rho |U| F) U with D in 1/m^2 and F in 1/m along t
 D belongs to the viscosity in `constant/transportProperties`: export again if that changes.
 
 ## Flow
-Laminar flow in a rigid vessel. It enters with a given flow rate and a flat profile.
 )md";
 
 constexpr const char* rheology_text = R"md(
@@ -321,15 +324,18 @@ sacSpeed and sacWallShear, put `#includeIfPresent "fdFunctions"` into `functions
 `system/controlDict`.
 )md";
 
-std::string outlets_text(const FoamOutlets& outlets)
+std::string openings_table(const std::vector<FoamOpening>& openings, const FoamFlow& flow)
 {
-    if (const auto* given = std::get_if<OutletPressures>(&outlets))
-        return given->pressures.empty() ? "It leaves against zero pressure at each outlet.\n"
-                                        : "It leaves against the pressures given at the outlets.\n";
-    return std::string("Each outlet has its share of the inflow, ") +
-           (std::holds_alternative<MurraySplit>(outlets) ? "as the cube of its radius (Murray 1926)"
-                                                         : "as given") +
-           ", prescribed at all but that\nwith the largest, which is at zero pressure.\n";
+    std::string text = "\n| patch | diameter [mm] | centre [mm] | condition |\n|---|---|---|---|\n";
+    for (const FoamOpening& opening : openings) {
+        const Vec3 centre = 1e3 * opening.centre;
+        text += fmt::format("| {} | {:.4g} | {:.4g}, {:.4g}, {:.4g} | {} |\n", opening.name,
+                            2e3 * std::sqrt(opening.area / std::numbers::pi), centre.x(),
+                            centre.y(), centre.z(), opening_condition(opening, flow));
+    }
+    if (std::holds_alternative<MurraySplit>(flow.outlets))
+        text += "\nShares are as the cubes of the outlets' radii (Murray 1926).\n";
+    return text;
 }
 
 }  // namespace
@@ -359,20 +365,21 @@ rm -rf without_device postProcessing log.* 0/fd* system/fdFunctions system/fdBaf
 )sh";
 }
 
-std::string foam_readme(const FoamFlow& flow, FoamForm form)
+std::string foam_readme(const FoamFlow& flow, const std::vector<FoamOpening>& openings,
+                        FoamForm form)
 {
     std::string text = readme_head;
     if (flow.waveform)
         text += fmt::format(
-            "Flow is pulsatile: pimpleFoam over {} cycles of {:.6g} s, the inflow a table in `0/U` "
-            "that\n"
-            "repeats. The last cycle is kept, 20 times of it, and the figures are means over it. "
-            "It starts\n"
-            "from rest: compare cycles before you trust the last one.\n",
+            "Laminar and pulsatile, in a rigid vessel: pimpleFoam over {} cycles of {:.6g} s, the "
+            "inflow a table\nin `0/U` that repeats. The last cycle is kept, 20 times of it, and "
+            "the "
+            "figures are means over it. The\nflow starts from rest: compare the cycles before you "
+            "trust the last one.\n",
             flow.cycles, period(*flow.waveform));
     else
-        text += "Flow is steady (simpleFoam).\n";
-    text += outlets_text(flow.outlets);
+        text += "Laminar and steady, in a rigid vessel: simpleFoam.\n";
+    text += openings_table(openings, flow);
     if (flow.rheology) text += rheology_text;
     text += form_text(form);
     return text + readme_tail;

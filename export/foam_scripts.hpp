@@ -5,6 +5,7 @@
 #include "export/foam_form.hpp"
 
 #include <string>
+#include <vector>
 
 namespace braidzone {
 
@@ -25,6 +26,7 @@ std::string allrun_script(const FoamRunPlan& plan);
 std::string allclean_script();
 
 /// The folder's README.
-std::string foam_readme(const FoamFlow& flow, FoamForm form);
+std::string foam_readme(const FoamFlow& flow, const std::vector<FoamOpening>& openings,
+                        FoamForm form);
 
 }  // namespace braidzone

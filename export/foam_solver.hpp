@@ -29,10 +29,12 @@ std::string solver_name(const FoamFlow& flow);
 std::string control_dict(const FoamSolverPlan& plan);
 
 /// Text of system/fvSchemes: second order in space (convection: linear upwind) and, pulsatile, in
-/// time.
+/// time (backward). On a box with a sac the inflow through the treated neck is 0.6 % off with 50
+/// time steps a period and 0.2 % with 200; with Euler's scheme 4.1 and 1.3 %.
 std::string fv_schemes(const FoamSolverPlan& plan = {});
 
-/// Text of system/fvSolution.
+/// Text of system/fvSolution. Pulsatile flow has two outer correctors: in that box one is 1 % off
+/// and two 0.02 %, against five.
 std::string fv_solution(const FoamSolverPlan& plan);
 
 }  // namespace braidzone

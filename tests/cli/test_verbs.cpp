@@ -130,6 +130,29 @@ TEST_F(Verbs, RunWritesTheFieldsAlwaysAndSolverCasesAsWanted)
     EXPECT_FALSE(is_there("case.out/openfoam"));
 }
 
+TEST_F(Verbs, RunKeepsTheWaveformWithTheCase)
+{
+    const std::string text = text_of(folder_.path() / "case.toml");
+    const std::string waveform = "time_s,flow_rate_mL_s\n0,3\n0.3,6\n0.8,3\n";
+    folder_.write("wave.csv", waveform);
+    folder_.write("case.toml", text.substr(0, text.find("[[export]]")) +
+                                   "[[export]]\nformat = \"openfoam\"\nwaveform = \"wave.csv\"\n");
+    run("run", {"--set", "fluid.rheology=carreau-yasuda"});
+    EXPECT_EQ(text_of(folder_.path() / "case.out/openfoam/braidzone/flow.csv"), waveform);
+    const auto record = summary();
+    const auto inputs = record["inputs"];
+    EXPECT_NE(inputs.dump().find("wave.csv"), std::string::npos) << inputs;
+    EXPECT_NE(out_.find("note: carreau-yasuda: "), std::string::npos) << out_;
+    // The copy is a case of its own. Mean of the triangles: 4.5 mL/s.
+    start({"check", (folder_.path() / "case.out/openfoam/braidzone/case.toml").string()});
+    EXPECT_NE(out_.find("inlet, opening 1: pulsatile inflow, mean 4.5 mL/s in"), std::string::npos)
+        << out_;
+    EXPECT_NE(out_.find("openfoam    outlet_1, opening 0: pressure 0 Pa"), std::string::npos)
+        << out_;
+    EXPECT_NE(out_.find("3 cycles of 0.8 s"), std::string::npos) << out_;
+    EXPECT_NE(out_.find("note: carreau-yasuda: "), std::string::npos) << out_;
+}
+
 TEST_F(Verbs, RunWritesTheLatticeIfAsked)
 {
     std::ofstream(folder_.path() / "case.toml", std::ios::app)

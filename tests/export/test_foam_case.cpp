@@ -7,6 +7,7 @@
 #include "support/shapes.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -150,6 +151,52 @@ TEST(WriteFoamCase, RefusesOptionsOutOfRange)
     EXPECT_THROW(write({.coarse_cell = -1e-3}), InputError);
     EXPECT_THROW(write({.device_refinement = 7}), InputError);
     EXPECT_THROW(write({.inlet = 2}), InputError);
+    EXPECT_THROW(write({.flow = {.cycles = 0}}), InputError);
+    EXPECT_THROW(write({.flow = {.max_courant = 0.0}}), InputError);
+    EXPECT_THROW(write({.flow = {.outlets = OutletShares{{0.5, 0.5}}}}), InputError);
+    EXPECT_THROW(write({.flow = {.rheology = CarreauYasuda{.power_index = 2.0}}}), InputError);
+}
+
+// The readme says which patch is which: the inlet is the tube's upper end.
+TEST(WriteFoamCase, TellsItsOpenings)
+{
+    const test::TemporaryFolder folder;
+    FoamCaseOptions options;
+    options.inlet = 1;
+    options.flow.outlets = OutletPressures{{250.0}};
+    options.flow.rheology = CarreauYasuda{};
+    const Vessel vessel = test::tube_vessel(radius, length);
+    write_foam_case(folder.path(), vessel, sheet_in_tube(1.0), Fluid{}, options);
+    const std::string readme = text_of(folder.path() / "README.md");
+    const int inlet_z = vessel.openings[1].centre.z() > 0.5 * length ? 20 : 0;
+    EXPECT_NE(readme.find(fmt::format(", {} | inflow, {:.4g} mL/s in", inlet_z,
+                                      1e6 * 0.25 * vessel.openings[1].area)),
+              std::string::npos)
+        << readme;
+    EXPECT_NE(readme.find("| pressure 250 Pa |"), std::string::npos);
+    EXPECT_NE(readme.find("Carreau-Yasuda"), std::string::npos);
+}
+
+// Four times 0.25 s; 20 results of a period, and the first.
+TEST(WriteFoamCase, PulsatileCaseRunsItsCycles)
+{
+    const test::TemporaryFolder folder;
+    FoamCaseOptions options;
+    options.flow.waveform = FlowWaveform{{}, {0.0, 0.1, 0.25}, {1e-6, 2e-6, 1e-6}};
+    options.flow.cycles = 4;
+    write_foam_case(folder.path(), test::tube_vessel(radius, length), sheet_in_tube(1.0), Fluid{},
+                    options);
+    const std::string control = text_of(folder.path() / "system/controlDict");
+    EXPECT_NE(control.find("pimpleFoam"), std::string::npos);
+    EXPECT_DOUBLE_EQ(number_after(control, "endTime "), 1.0);
+    EXPECT_DOUBLE_EQ(number_after(control, "writeInterval "), 0.0125);
+    EXPECT_DOUBLE_EQ(number_after(control, "purgeWrite "), 21.0);
+    const std::string velocity = text_of(folder.path() / "0/U");
+    EXPECT_NE(velocity.find("(0.1 2e-06)"), std::string::npos);
+    EXPECT_NE(velocity.find("outOfBounds repeat"), std::string::npos);
+    const std::string figures = text_of(folder.path() / "flow_figures");
+    EXPECT_DOUBLE_EQ(number_after(figures, "cycle_start="), 0.75);
+    EXPECT_DOUBLE_EQ(number_after(figures, "cycle_end="), 1.0);
 }
 
 class Allrun : public ::testing::Test {
@@ -189,8 +236,43 @@ TEST_F(Allrun, RefusesUnknownArguments)
 {
     const auto [message, status] = run("-u BRAIDZONE", "--without");
     EXPECT_NE(status, 0);
-    EXPECT_NE(message.find("unknown argument --without; allowed: --without-device"),
+    EXPECT_NE(message.find("unknown argument --without; allowed: --without-device, --both, "
+                           "--processes N, --continue"),
               std::string::npos);
+}
+
+TEST_F(Allrun, RefusesNumbersOfProcessesThatCannotBe)
+{
+    for (const char* number : {"0", "two", "-1", "1.5", ""}) {
+        const auto [message, status] = run("BRAIDZONE=true", std::string("--processes ") + number);
+        EXPECT_NE(status, 0);
+        EXPECT_NE(message.find(std::string("--processes '") + number + "'; allowed: 1 or more"),
+                  std::string::npos)
+            << message;
+    }
+    folder_.write("constant/polyMesh/cellLevel", "");
+    folder_.write("fd_export.json",
+                  "{\n  \"num_cells\": 2999,\n  \"zones\": [{\n      \"num_cells\": 9\n}]}\n");
+    const auto [message, status] = run("BRAIDZONE=true", "--processes 3");
+    EXPECT_NE(status, 0);
+    EXPECT_NE(message.find("--processes 3 is too many for 2999 cells; allowed: 1 to 2 (1000 cells "
+                           "each)"),
+              std::string::npos)
+        << message;
+}
+
+TEST_F(Allrun, ContinuesOnlyWhatWasStopped)
+{
+    EXPECT_NE(run("BRAIDZONE=true", "--continue").first.find("there is no mesh"),
+              std::string::npos);
+    folder_.write("constant/polyMesh/cellLevel", "");
+    folder_.write("processor0/100/U", "");
+    folder_.write("processor1/100/U", "");
+    const auto [message, status] = run("BRAIDZONE=true", "--continue");
+    EXPECT_NE(status, 0);
+    EXPECT_NE(message.find("the stopped run was on 2 processes; add --processes 2"),
+              std::string::npos)
+        << message;
 }
 
 // A mesher that fails: Allrun stops there and shows the end of its log.

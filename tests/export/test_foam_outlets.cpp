@@ -64,9 +64,8 @@ TEST(FoamOpenings, PressuresAreThoseOfTheOutletsInTheirOrder)
 TEST(FoamOpenings, RefusesWhatDoesNotFitTheVessel)
 {
     EXPECT_EQ(message(OutletPressures{{1.0, 2.0, 3.0}}),
-              "3 outlet pressures for 2 outlets (outlet_1 to outlet_2); one each is needed");
-    EXPECT_EQ(message(OutletShares{{1.0}}),
-              "1 outlet shares for 2 outlets (outlet_1 to outlet_2); one each is needed");
+              "3 outlet pressures for 2 outlets; one each is needed");
+    EXPECT_EQ(message(OutletShares{{1.0}}), "1 outlet shares for 2 outlets; one each is needed");
     EXPECT_EQ(message(OutletShares{{1.2, -0.2}}), "share -0.2 of outlet_2; it must be positive");
     EXPECT_EQ(message(OutletShares{{0.5, 0.4}}), "outlet shares sum to 0.9; they must sum to 1");
     EXPECT_EQ(message(OutletPressures{{0.0, std::numeric_limits<double>::infinity()}}),

@@ -5,10 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -94,6 +97,25 @@ inline std::filesystem::path latest_time(const std::filesystem::path& foam_case)
         latest = entry.path();
     }
     return latest;
+}
+
+/// Figures by "quantity [unit]": without the device, with it, reduction; NaN where empty.
+inline std::map<std::string, std::array<double, 3>> figures(const std::filesystem::path& folder)
+{
+    std::map<std::string, std::array<double, 3>> all;
+    std::istringstream lines(file_text(folder / "flow_figures.csv"));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "quantity,unit,without_device,with_device,reduction_percent");
+    while (std::getline(lines, line)) {
+        const auto fields = csv_fields(line);
+        EXPECT_EQ(fields.size(), 5U) << line;
+        auto& values = all[std::string(fields[0]) + " [" + std::string(fields[1]) + "]"];
+        for (std::size_t i = 0; i < 3; ++i)
+            values[i] = csv_number(fields[i + 2]).value_or(std::nan(""));
+    }
+    EXPECT_EQ(all.size(), 4U);
+    return all;
 }
 
 /// Iterations after which simpleFoam found its criterion met; -1 if it did not.

@@ -34,33 +34,14 @@ void write_case(const std::filesystem::path& folder, const FoamFlow& flow)
     for (const char* patch : {"inlet", "outlet"})
         test::split_patch(mesh, patch, {std::string(patch) + "_rest", "wall"},
                           [](const Vec3& centre) { return centre.z() > vessel_height; });
-    const std::vector<FoamOpening> openings{{"inlet", inlet_area, 0.0, {}},
-                                            {"outlet", inlet_area, 0.0, {}}};
+    const std::vector<FoamOpening> openings{{.name = "inlet", .area = inlet_area},
+                                            {.name = "outlet", .area = inlet_area}};
     test::write_box_case(folder, mesh, openings, flow, blood);
     test::add_walls(folder, {"inlet_rest", "outlet_rest"});
     const auto sheet =
         test::flat_sheet(2, Vec3(0, 0, vessel_height + 0.8e-3), size[0] * cell, size[1] * cell);
     const FoamApplication applied = apply_to_foam_case(folder, sheet);
     ASSERT_TRUE(applied.sac_volume.has_value());
-}
-
-/// Figures by "quantity [unit]": without the device, with it, reduction; NaN where empty.
-std::map<std::string, std::array<double, 3>> figures(const std::filesystem::path& folder)
-{
-    std::map<std::string, std::array<double, 3>> all;
-    std::istringstream lines(test::file_text(folder / "flow_figures.csv"));
-    std::string line;
-    std::getline(lines, line);
-    EXPECT_EQ(line, "quantity,unit,without_device,with_device,reduction_percent");
-    while (std::getline(lines, line)) {
-        const auto fields = csv_fields(line);
-        EXPECT_EQ(fields.size(), 5U) << line;
-        auto& values = all[std::string(fields[0]) + " [" + std::string(fields[1]) + "]"];
-        for (std::size_t i = 0; i < 3; ++i)
-            values[i] = csv_number(fields[i + 2]).value_or(std::nan(""));
-    }
-    EXPECT_EQ(all.size(), 4U);
-    return all;
 }
 
 constexpr const char* neck_inflow = "inflow through the neck [mL/s]";
@@ -118,7 +99,7 @@ TEST_F(OpenFoamFigures, AreThoseOfTheFields)
     ASSERT_TRUE(test::allrun(folder_, "--both"));
     const auto with = figures_of_fields(folder_, folder_);
     const auto without = figures_of_fields(folder_, folder_ / "without_device");
-    for (const auto& [name, values] : figures(folder_)) {
+    for (const auto& [name, values] : test::figures(folder_)) {
         // OpenFOAM's wall shear stress has the velocity's gradients along the wall, too: zero at a
         // wall, but some percent in cells of this size.
         const double tolerance = name == wall_shear ? 0.05 : 2e-5;
@@ -134,12 +115,12 @@ TEST_F(OpenFoamFigures, AreThoseOfOneVariantUntilBothAreSolved)
 {
     write_case(folder_, {});
     ASSERT_TRUE(test::allrun(folder_, "--without-device"));
-    auto one = figures(folder_);
+    auto one = test::figures(folder_);
     EXPECT_GT(one.at(sac_speed)[0], 0.0);
     EXPECT_TRUE(std::isnan(one.at(sac_speed)[1]));
     EXPECT_TRUE(std::isnan(one.at(sac_speed)[2]));
     ASSERT_TRUE(test::allrun(folder_, ""));
-    auto both = figures(folder_);
+    auto both = test::figures(folder_);
     EXPECT_EQ(both.at(sac_speed)[0], one.at(sac_speed)[0]);
     EXPECT_GT(both.at(sac_speed)[2], 0.0);
 }
@@ -160,7 +141,7 @@ TEST_F(OpenFoamFigures, AreTheSameOnTwoProcesses)
     test::replace_in(folder_ / "system/fvSolution", "p               1e-05", "p 1e-7");
     test::replace_in(folder_ / "system/fvSolution", "U               1e-05", "U 1e-7");
     ASSERT_TRUE(test::allrun(folder_, ""));
-    const auto one = figures(folder_);
+    const auto one = test::figures(folder_);
     const auto speed = test::vector_field(test::latest_time(folder_) / "U");
     ASSERT_TRUE(test::allrun(folder_, "--processes 2"));
     EXPECT_NE(test::file_text(folder_ / "log.simpleFoam").find("nProcs : 2"), std::string::npos);
@@ -168,7 +149,7 @@ TEST_F(OpenFoamFigures, AreTheSameOnTwoProcesses)
     EXPECT_NE(test::file_text(folder_ / "system/decomposeParDict").find("n (1 1 2)"),
               std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "processor0"));
-    const double figures_differ = difference(one, figures(folder_));
+    const double figures_differ = difference(one, test::figures(folder_));
     const auto parallel_speed = test::vector_field(test::latest_time(folder_) / "U");
     ASSERT_EQ(parallel_speed.size(), speed.size());
     double worst = 0.0;
@@ -184,7 +165,7 @@ TEST_F(OpenFoamFigures, AreTheSameAfterASteadyRunIsContinued)
 {
     write_case(folder_, {});
     ASSERT_TRUE(test::allrun(folder_, ""));
-    const auto straight = figures(folder_);
+    const auto straight = test::figures(folder_);
     const std::string control = test::file_text(folder_ / "system/controlDict");
     test::replace_in(folder_ / "system/controlDict", "endTime         3000", "endTime 50");
     test::replace_in(folder_ / "system/controlDict", "writeInterval   200", "writeInterval 40");
@@ -194,7 +175,7 @@ TEST_F(OpenFoamFigures, AreTheSameAfterASteadyRunIsContinued)
     ASSERT_TRUE(test::allrun(folder_, "--continue"));
     EXPECT_TRUE(std::filesystem::exists(folder_ / "postProcessing/sacSpeed/0"));
     EXPECT_TRUE(std::filesystem::exists(folder_ / "postProcessing/sacSpeed/40"));
-    EXPECT_LT(difference(straight, figures(folder_)), 1e-4);
+    EXPECT_LT(difference(straight, test::figures(folder_)), 1e-4);
 }
 
 FoamFlow pulsatile()
@@ -217,17 +198,17 @@ TEST_F(OpenFoamFigures, ArePulsatileMeansOnTwoProcessesAfterAStop)
     write_case(folder_, pulsatile());
     test::replace_in(folder_ / "system/controlDict", "maxDeltaT       0.0001", "maxDeltaT 5e-4");
     ASSERT_TRUE(test::allrun(folder_, ""));
-    const auto straight = figures(folder_);
+    const auto straight = test::figures(folder_);
     EXPECT_GT(straight.at(sac_speed)[1], 0.0);
 
     const std::string control = test::file_text(folder_ / "system/controlDict");
     test::replace_in(folder_ / "system/controlDict", "endTime         0.04", "endTime 0.0305");
     EXPECT_TRUE(test::allrun(folder_, "--processes 2"));
     // Not at the cycle's end: no figure of it.
-    EXPECT_TRUE(std::isnan(figures(folder_).at(sac_speed)[1]));
+    EXPECT_TRUE(std::isnan(test::figures(folder_).at(sac_speed)[1]));
     write_text_file(folder_ / "system/controlDict", control);
     ASSERT_TRUE(test::allrun(folder_, "--continue --processes 2"));
-    const double differ = difference(straight, figures(folder_));
+    const double differ = difference(straight, test::figures(folder_));
     std::printf("figures differ by %.2g\n", differ);
     EXPECT_LT(differ, 5e-5);  // the linear solvers' tolerance
 }

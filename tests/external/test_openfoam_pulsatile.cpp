@@ -50,7 +50,8 @@ void write_channel(const std::filesystem::path& folder, int cycles)
     FoamFlow flow;
     flow.waveform = waveform();
     flow.cycles = cycles;
-    FoamOpening inlet{"inlet", cell * cell, 0.0, {}}, outlet{"outlet", cell * cell, 0.0, {}};
+    FoamOpening inlet{.name = "inlet", .area = cell * cell},
+        outlet{.name = "outlet", .area = cell * cell};
     test::write_box_case(folder, test::foam_box({along, 1, 1}, cell), {inlet, outlet}, flow, blood);
     test::let_slip(folder);
     // Eight cells across, in the middle of the channel and off the cells' centres and faces.

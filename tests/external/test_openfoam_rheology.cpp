@@ -82,7 +82,8 @@ TEST(OpenFoamRheology, ChannelLosesThePressureOfTheClosedForm)
     flow.inlet_velocity = velocity;
     flow.rheology = CarreauYasuda{};
     const double area = height * cell;
-    test::write_box_case(folder, mesh, {{"inlet", area, 0.0, {}}, {"outlet", area, 0.0, {}}}, flow,
+    test::write_box_case(folder, mesh,
+                         {{.name = "inlet", .area = area}, {.name = "outlet", .area = area}}, flow,
                          blood);
     test::add_walls(folder, {"sides"}, "slip");
     // The middle, where the fluid is thickest, comes to rest last.
