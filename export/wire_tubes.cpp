@@ -1,0 +1,167 @@
+#include "export/wire_tubes.hpp"
+
+#include "deploy/node_normals.hpp"
+#include "export/braid_inset.hpp"
+#include "export/wire_gap.hpp"
+#include "export/wire_path.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace braidzone {
+
+namespace {
+
+/// Between two wires that cross, over the wire diameter. Real wires touch, but solids that touch
+/// are neither separate nor one.
+constexpr double clearance_ratio = 0.05;
+
+/// Corners of a regular polygon that has the wire's cross-section [m].
+double corner_radius(int facets, double wire_diameter)
+{
+    const double angle = 2.0 * std::numbers::pi / facets;
+    return 0.5 * wire_diameter * std::sqrt(angle / std::sin(angle));
+}
+
+/// Height of a wire over the braid's surface at its crossings [m].
+double crossing_height(const WireTubeOptions& options, double wire_diameter)
+{
+    return corner_radius(options.facets, wire_diameter) + 0.5 * clearance_ratio * wire_diameter;
+}
+
+/// The middle line of a wire with the braid's normals there.
+struct WireLine {
+    std::vector<Vec3> points;   ///< [m]
+    std::vector<Vec3> normals;  ///< unit
+};
+
+/// A deployed braid with what its wires are laid out by.
+struct LaidBraid {
+    const Deployment& deployment;
+    const std::vector<Vec3>& normals;  ///< of the nodes
+    const WallTree& wall;
+    double wall_distance = 0.0;  ///< of the braid's surface at least [m]
+    double height = 0.0;         ///< of a wire at its crossings [m]
+};
+
+WireLine wire_line(const LaidBraid& braid, Wire wire, const WireTubeOptions& options)
+{
+    const BraidLattice& lattice = braid.deployment.lattice;
+    const int pieces = options.pieces_per_arm;
+    WireLine line{spline_along_wire(lattice, braid.deployment.nodes, wire, pieces),
+                  spline_along_wire(lattice, braid.normals, wire, pieces)};
+    const auto height_at = [&](int ring) {
+        const bool right_is_outside = right_handed_is_outside(options.pattern, lattice, ring,
+                                                              column_of_wire(lattice, wire, ring));
+        return right_is_outside == (wire.family == WireFamily::right_handed) ? braid.height
+                                                                             : -braid.height;
+    };
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        const int ring = static_cast<int>(i) / pieces;
+        const double t = static_cast<double>(static_cast<int>(i) % pieces) / pieces;
+        const double from = height_at(ring);
+        const double to = t > 0.0 ? height_at(ring + 1) : from;
+        const double height =
+            0.5 * (from + to) + 0.5 * (from - to) * std::cos(std::numbers::pi * t);
+        line.normals[i].normalize();
+        line.points[i] =
+            off_the_wall(line.points[i], line.normals[i], braid.wall, braid.wall_distance) +
+            height * line.normals[i];
+    }
+    return line;
+}
+
+/// Directions along a polyline: of the chord from the point before to the point after.
+Vec3 tangent_at(const std::vector<Vec3>& points, std::size_t i)
+{
+    const std::size_t before = i == 0 ? 0 : i - 1;
+    const std::size_t after = i + 1 == points.size() ? i : i + 1;
+    return (points[after] - points[before]).normalized();
+}
+
+/// Appends the tube about a line: a ring of corners at each of its points, a fan over each end.
+void append_tube(TriangleMesh& mesh, const WireLine& line, int facets, double radius)
+{
+    const int first = static_cast<int>(mesh.points.size());
+    const int num_rings = static_cast<int>(line.points.size());
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        const Vec3 tangent = tangent_at(line.points, i);
+        const Vec3 side = tangent.cross(line.normals[i]).normalized();
+        const Vec3 up = side.cross(tangent);
+        for (int facet = 0; facet < facets; ++facet) {
+            const double angle = 2.0 * std::numbers::pi * facet / facets;
+            mesh.points.push_back(line.points[i] +
+                                  radius * (std::cos(angle) * up + std::sin(angle) * side));
+        }
+    }
+    const auto corner = [&](int ring, int facet) { return first + ring * facets + facet % facets; };
+    for (int ring = 0; ring + 1 < num_rings; ++ring) {
+        for (int facet = 0; facet < facets; ++facet) {
+            const int a = corner(ring, facet), b = corner(ring, facet + 1);
+            const int c = corner(ring + 1, facet + 1), d = corner(ring + 1, facet);
+            mesh.triangles.push_back({a, b, c});
+            mesh.triangles.push_back({a, c, d});
+        }
+    }
+    const int near_end = static_cast<int>(mesh.points.size()), far_end = near_end + 1;
+    mesh.points.push_back(line.points.front());
+    mesh.points.push_back(line.points.back());
+    for (int facet = 0; facet < facets; ++facet) {
+        mesh.triangles.push_back({near_end, corner(0, facet + 1), corner(0, facet)});
+        mesh.triangles.push_back(
+            {far_end, corner(num_rings - 1, facet), corner(num_rings - 1, facet + 1)});
+    }
+}
+
+double length_of(const std::vector<Vec3>& points)
+{
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        length += (points[i + 1] - points[i]).norm();
+    return length;
+}
+
+}  // namespace
+
+double half_thickness(const WireTubeOptions& options, double wire_diameter)
+{
+    return crossing_height(options, wire_diameter) + corner_radius(options.facets, wire_diameter);
+}
+
+std::size_t num_wire_triangles(const BraidLattice& lattice, const WireTubeOptions& options)
+{
+    const auto pieces = static_cast<std::size_t>(lattice.num_rings - 1) *
+                        static_cast<std::size_t>(options.pieces_per_arm);
+    const auto wires = 2 * static_cast<std::size_t>(lattice.nodes_per_ring);
+    return wires * 2 * static_cast<std::size_t>(options.facets) * (pieces + 1);
+}
+
+WireTubes make_wire_tubes(const Deployment& deployment, double wire_diameter, const WallTree& wall,
+                          double wall_gap, const WireTubeOptions& options)
+{
+    const std::vector<Vec3> normals = node_normals(deployment.lattice, deployment.nodes);
+    const LaidBraid braid{deployment, normals, wall,
+                          half_thickness(options, wire_diameter) + wall_gap,
+                          crossing_height(options, wire_diameter)};
+    const std::vector<Wire> wires = wires_of(deployment.lattice);
+    std::vector<WireLine> lines(wires.size());
+    tbb::parallel_for(std::size_t{0}, wires.size(),
+                      [&](std::size_t i) { lines[i] = wire_line(braid, wires[i], options); });
+
+    WireTubes tubes;
+    const double radius = corner_radius(options.facets, wire_diameter);
+    for (WireLine& line : lines) {
+        append_tube(tubes.mesh, line, options.facets, radius);
+        tubes.length += length_of(line.points);
+        tubes.lines.push_back(std::move(line.points));
+    }
+    const WireGap gap = smallest_gap(tubes.lines, 4.0 * radius, 2.0 * radius);
+    tubes.least_gap = gap.distance - 2.0 * radius;
+    tubes.least_gap_place = gap.place;
+    tubes.num_overlaps = gap.num_closer;
+    return tubes;
+}
+
+}  // namespace braidzone
