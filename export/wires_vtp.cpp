@@ -51,6 +51,7 @@ void write_wires(const std::filesystem::path& path, const Deployment& deployment
     add_numbers(*data->GetPointData(), "surface_coordinates", coordinates);
     add_integers(*data->GetCellData(), "wire", wire_ids);
     add_integers(*data->GetCellData(), "family", families);
+    data->GetCellData()->SetActiveScalars("family");
     add_units(
         *data, unit,
         {{"radius", unit.name}, {"surface_coordinates", "m"}, {"wire", "1"}, {"family", "1"}});
