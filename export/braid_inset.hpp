@@ -1,19 +1,27 @@
 #pragma once
 
 #include "core/wall_tree.hpp"
+#include "deploy/deployment.hpp"
+
+#include <vector>
 
 namespace braidzone {
 
-/// A point of a braid's surface, moved into the lumen along the braid's normal until it is at least
-/// a distance from the wall.
+/// A braid moved off the wall, so that a layer of some thickness about it lies in the lumen.
 ///
 /// Nodes of a deployment are the middle of a sheet without thickness and lie on the wall where the
-/// device does. A layer of real thickness about them would stand out of the vessel; moved inwards
-/// by half of its own thickness it lies on the wall. Where the device is free nothing is moved.
-///
-/// @param point     within `distance` of the lumen [m]
-/// @param normal    unit, of the braid, to the wall
-/// @param distance  [m]
-Vec3 off_the_wall(const Vec3& point, const Vec3& normal, const WallTree& wall, double distance);
+/// device does; a layer of real thickness about them would stand out of the vessel. Moved inwards
+/// along the braid's normals by half of its thickness it lies on the wall. Where the device is free
+/// nothing is moved, but for a transition over a few nodes: a node is moved at least by the mean of
+/// its neighbours, so that the braid does not step down where the wall ends.
+struct InsetBraid {
+    std::vector<Vec3> nodes;     ///< |N| x 3 [m]
+    std::vector<Vec3> normals;   ///< of the braid at its nodes, unit, to the wall
+    double largest_inset = 0.0;  ///< [m]
+};
+
+/// @param distance  of the nodes, and of the middles of the splines between them, from the wall at
+///                  least [m]; kept within 2 % of it
+InsetBraid inset_braid(const Deployment& deployment, const WallTree& wall, double distance);
 
 }  // namespace braidzone

@@ -9,14 +9,12 @@ namespace braidzone {
 TriangleMesh make_device_shell(const Deployment& deployment, double thickness, const WallTree& wall,
                                double wall_gap)
 {
-    const std::vector<Vec3> normals = node_normals(deployment.lattice, deployment.nodes);
-    TriangleMesh outside{{}, rhombus_triangles(deployment.lattice)};
-    std::vector<Vec3> inner_points;
-    for (std::size_t node = 0; node < normals.size(); ++node) {
-        const Vec3 middle =
-            off_the_wall(deployment.nodes[node], normals[node], wall, 0.5 * thickness + wall_gap);
-        outside.points.push_back(middle + 0.5 * thickness * normals[node]);
-        inner_points.push_back(middle - 0.5 * thickness * normals[node]);
+    const InsetBraid braid = inset_braid(deployment, wall, 0.5 * thickness + wall_gap);
+    TriangleMesh outside{braid.nodes, rhombus_triangles(deployment.lattice)};
+    std::vector<Vec3> inner_points = braid.nodes;
+    for (std::size_t node = 0; node < inner_points.size(); ++node) {
+        outside.points[node] += 0.5 * thickness * braid.normals[node];
+        inner_points[node] -= 0.5 * thickness * braid.normals[node];
     }
     TriangleMesh shell = outside;
     shell.points.insert(shell.points.end(), inner_points.begin(), inner_points.end());

@@ -11,7 +11,7 @@ namespace braidzone {
 /// and a strip along both rims. Normals point out of the solid.
 ///
 /// It is the device's skin without its pores. Where the device lies on the wall, the solid is moved
-/// inwards (`off_the_wall`), so that it lies beside the wall and does not cut it.
+/// inwards (`inset_braid`), so that it lies beside the wall and does not cut it.
 ///
 /// Where the braid is bent more sharply than its thickness, triangles may cross: `find_defects`
 /// tells.

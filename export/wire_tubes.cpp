@@ -1,12 +1,12 @@
 #include "export/wire_tubes.hpp"
 
-#include "deploy/node_normals.hpp"
 #include "export/braid_inset.hpp"
 #include "export/wire_gap.hpp"
 #include "export/wire_path.hpp"
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -37,38 +37,34 @@ struct WireLine {
     std::vector<Vec3> normals;  ///< unit
 };
 
-/// A deployed braid with what its wires are laid out by.
-struct LaidBraid {
-    const Deployment& deployment;
-    const std::vector<Vec3>& normals;  ///< of the nodes
-    const WallTree& wall;
-    double wall_distance = 0.0;  ///< of the braid's surface at least [m]
-    double height = 0.0;         ///< of a wire at its crossings [m]
-};
-
-WireLine wire_line(const LaidBraid& braid, Wire wire, const WireTubeOptions& options)
+/// Height of a wire t of the way between two crossings at which it has the given heights: even over
+/// the first and the last quarter, a cosine in between. (With a cosine all the way, wires that
+/// cross at a small angle meet beside their crossings.)
+double height_between(double from, double to, double t)
 {
-    const BraidLattice& lattice = braid.deployment.lattice;
+    const double part = std::clamp(2.0 * t - 0.5, 0.0, 1.0);
+    return 0.5 * (from + to) + 0.5 * (from - to) * std::cos(std::numbers::pi * part);
+}
+
+WireLine wire_line(const BraidLattice& lattice, const InsetBraid& braid, Wire wire,
+                   double crossing_height, const WireTubeOptions& options)
+{
     const int pieces = options.pieces_per_arm;
-    WireLine line{spline_along_wire(lattice, braid.deployment.nodes, wire, pieces),
+    WireLine line{spline_along_wire(lattice, braid.nodes, wire, pieces),
                   spline_along_wire(lattice, braid.normals, wire, pieces)};
     const auto height_at = [&](int ring) {
         const bool right_is_outside = right_handed_is_outside(options.pattern, lattice, ring,
                                                               column_of_wire(lattice, wire, ring));
-        return right_is_outside == (wire.family == WireFamily::right_handed) ? braid.height
-                                                                             : -braid.height;
+        return right_is_outside == (wire.family == WireFamily::right_handed) ? crossing_height
+                                                                             : -crossing_height;
     };
     for (std::size_t i = 0; i < line.points.size(); ++i) {
         const int ring = static_cast<int>(i) / pieces;
         const double t = static_cast<double>(static_cast<int>(i) % pieces) / pieces;
         const double from = height_at(ring);
         const double to = t > 0.0 ? height_at(ring + 1) : from;
-        const double height =
-            0.5 * (from + to) + 0.5 * (from - to) * std::cos(std::numbers::pi * t);
         line.normals[i].normalize();
-        line.points[i] =
-            off_the_wall(line.points[i], line.normals[i], braid.wall, braid.wall_distance) +
-            height * line.normals[i];
+        line.points[i] += height_between(from, to, t) * line.normals[i];
     }
     return line;
 }
@@ -141,14 +137,15 @@ std::size_t num_wire_triangles(const BraidLattice& lattice, const WireTubeOption
 WireTubes make_wire_tubes(const Deployment& deployment, double wire_diameter, const WallTree& wall,
                           double wall_gap, const WireTubeOptions& options)
 {
-    const std::vector<Vec3> normals = node_normals(deployment.lattice, deployment.nodes);
-    const LaidBraid braid{deployment, normals, wall,
-                          half_thickness(options, wire_diameter) + wall_gap,
-                          crossing_height(options, wire_diameter)};
-    const std::vector<Wire> wires = wires_of(deployment.lattice);
+    const BraidLattice& lattice = deployment.lattice;
+    const InsetBraid braid =
+        inset_braid(deployment, wall, half_thickness(options, wire_diameter) + wall_gap);
+    const double height = crossing_height(options, wire_diameter);
+    const std::vector<Wire> wires = wires_of(lattice);
     std::vector<WireLine> lines(wires.size());
-    tbb::parallel_for(std::size_t{0}, wires.size(),
-                      [&](std::size_t i) { lines[i] = wire_line(braid, wires[i], options); });
+    tbb::parallel_for(std::size_t{0}, wires.size(), [&](std::size_t i) {
+        lines[i] = wire_line(lattice, braid, wires[i], height, options);
+    });
 
     WireTubes tubes;
     const double radius = corner_radius(options.facets, wire_diameter);

@@ -42,16 +42,17 @@ std::size_t num_wire_triangles(const BraidLattice& lattice, const WireTubeOption
 /// the height
 ///
 ///     z = h at crossings where the wire is outside, -h where it is inside,
-///     z = (z0 + z1) / 2 + (z0 - z1) / 2 cos(pi t) between two crossings,
+///     z = (z0 + z1) / 2 + (z0 - z1) / 2 cos(pi (2 t - 1/2)) between, for t from 1/4 to 3/4,
 ///     h = rho + d / 40,   rho = d / 2 sqrt(2 pi / (n sin(2 pi / n)))
 ///
 /// along the surface's normal, which leaves d / 20 between two wires that cross. Its cross-section
 /// is the regular polygon of n facets with the wire's own area, whose corners lie at rho. The metal
 /// is more than wire length times pi d^2 / 4 by what the wires are longer for going over and under:
-/// about (pi h / 2 a)^2 for arms of length a, 1 % at most.
+/// about (pi h / a)^2 / 2 times the share of arms, of length a, between unlike
+/// crossings (1 / over).
 ///
 /// Where the device lies on the wall, the layer is moved inwards by half its thickness
-/// (`off_the_wall`).
+/// (`inset_braid`).
 ///
 /// Wires of one family that are denser than their diameter, and crossings of such small angle that
 /// the wires meet beside them, overlap: `num_overlaps` counts it, nothing is changed.
