@@ -18,8 +18,8 @@ constexpr double smallest_cosine = 0.5;  // against a wall that stands across th
 /// is.
 double missing_inset(const Vec3& point, const Vec3& normal, const WallTree& wall, double distance)
 {
+    if (!wall.comes_nearer(point, distance)) return 0.0;
     const WallPoint nearest = wall.nearest(point);
-    if (nearest.distance >= distance) return 0.0;
     const bool is_outside = (point - nearest.point).dot(nearest.normal) > 0.0;
     const double depth = is_outside ? -nearest.distance : nearest.distance;
     return (distance - depth) / std::max(smallest_cosine, normal.dot(nearest.normal));
@@ -65,13 +65,13 @@ std::vector<Vec3> moved_inwards(const std::vector<Vec3>& nodes, const std::vecto
     return moved;
 }
 
-/// What is missing at the nodes themselves and in the middle of each stretch of wire, which is laid
-/// on the nodes at its ends.
+/// What is missing at the nodes themselves and along the stretches of wire between them, which is
+/// laid on the nodes at both ends.
 std::vector<double> missing_insets(const BraidLattice& lattice, const std::vector<Vec3>& nodes,
                                    const std::vector<Vec3>& normals, const WallTree& wall,
                                    double distance)
 {
-    constexpr int pieces = 2;
+    constexpr int pieces = 6;
     const std::vector<Wire> wires = wires_of(lattice);
     std::vector<std::vector<double>> along(wires.size());
     tbb::parallel_for(std::size_t{0}, wires.size(), [&](std::size_t i) {
@@ -87,9 +87,10 @@ std::vector<double> missing_insets(const BraidLattice& lattice, const std::vecto
             const int node = lattice.node(ring, column_of_wire(lattice, wires[i], ring));
             const auto at = static_cast<std::size_t>(pieces * ring);
             double& value = missing[static_cast<std::size_t>(node)];
-            value = std::max(value, along[i][at]);
-            if (ring > 0) value = std::max(value, along[i][at - 1]);
-            if (at + 1 < along[i].size()) value = std::max(value, along[i][at + 1]);
+            const std::size_t first = ring > 0 ? at - (pieces - 1) : at;
+            const std::size_t last = std::min(at + pieces, along[i].size());
+            for (std::size_t k = first; k < last; ++k)
+                value = std::max(value, along[i][k]);
         }
     }
     return missing;
@@ -105,11 +106,11 @@ InsetBraid inset_braid(const Deployment& deployment, const WallTree& wall, doubl
     InsetBraid braid{deployment.nodes, node_normals(lattice, deployment.nodes)};
     std::vector<double> insets(deployment.nodes.size(), 0.0);
     // Once moved, other parts of a curved wall may be the nearest.
-    constexpr int most_moves = 4;
+    constexpr int most_moves = 10;
     for (int move = 0; move < most_moves; ++move) {
         const std::vector<double> missing =
             missing_insets(lattice, braid.nodes, braid.normals, wall, distance);
-        if (*std::max_element(missing.begin(), missing.end()) < 0.02 * distance) break;
+        if (*std::max_element(missing.begin(), missing.end()) < 0.005 * distance) break;
         for (std::size_t node = 0; node < insets.size(); ++node)
             insets[node] += missing[node];
         soften(insets, neighbours);

@@ -20,8 +20,8 @@ struct InsetBraid {
     double largest_inset = 0.0;  ///< [m]
 };
 
-/// @param distance  of the nodes, and of the middles of the splines between them, from the wall at
-///                  least [m]; kept within 2 % of it
+/// @param distance  of the nodes, and of the wires between them, from the wall at least [m]; kept
+///                  within 1 % of it
 InsetBraid inset_braid(const Deployment& deployment, const WallTree& wall, double distance);
 
 }  // namespace braidzone

@@ -104,23 +104,24 @@ void for_each_held_voxel(const PorousField& field, Visit visit)
     }
 }
 
-/// Calls visit(coordinate, distance) for every cube that is one number: a tile, which is what a
-/// leaf of OpenVDB's tree would hold.
+/// Calls visit(box, distance) for every cube that is one number, less what reaches over the grid: a
+/// tile, which is what a leaf of OpenVDB's tree would hold.
 template <typename Visit>
 void for_each_tile(const PorousField& field, Visit visit)
 {
     static_assert(VoxelCubes::edge == openvdb::FloatTree::LeafNodeType::DIM);
+    constexpr int edge = VoxelCubes::edge;
     const VoxelCubes& cubes = field.wall_distance.cubes;
+    const auto& [nx, ny, nz] = field.grid.dims;
+    const openvdb::CoordBBox grid({0, 0, 0}, {nx - 1, ny - 1, nz - 1});
     for (std::size_t cube = 0; cube < cubes.num_cubes(); ++cube) {
         if (cubes.slots[cube] != VoxelCubes::not_held) continue;
         const auto& [a, b, c] = cubes.place_of(cube);
-        constexpr int edge = VoxelCubes::edge;
-        visit(openvdb::Coord(edge * a, edge * b, edge * c), field.wall_distance.of_cubes[cube]);
+        auto box = openvdb::CoordBBox::createCube({edge * a, edge * b, edge * c}, edge);
+        box.intersect(grid);
+        visit(box, field.wall_distance.of_cubes[cube]);
     }
 }
-
-/// Level above the leaves, on which a tile is one leaf large.
-constexpr openvdb::Index tile_level = 1;
 
 openvdb::GridBase::Ptr wall_distance_grid(const LabelledField& labelled)
 {
@@ -132,10 +133,10 @@ openvdb::GridBase::Ptr wall_distance_grid(const LabelledField& labelled)
         for (const float distance : *distances)
             farthest = std::max(farthest, std::abs(distance));
     const auto grid = make_grid<openvdb::FloatGrid>("wall_distance", "m", farthest, labelled);
-    auto accessor = grid->getAccessor();
-    for_each_tile(field, [&](const openvdb::Coord& first, float distance) {
-        accessor.addTile(tile_level, first, distance, /*active=*/false);
+    for_each_tile(field, [&](const openvdb::CoordBBox& box, float distance) {
+        grid->sparseFill(box, distance, /*active=*/false);
     });
+    auto accessor = grid->getAccessor();
     for_each_held_voxel(field, [&](const openvdb::Coord& voxel, std::size_t place) {
         accessor.setValue(voxel, field.wall_distance.of_voxels[place]);
     });
@@ -146,11 +147,11 @@ openvdb::GridBase::Ptr cell_type_grid(const LabelledField& labelled)
 {
     const PorousField& field = labelled.field;
     const auto grid = make_grid<openvdb::FloatGrid>("cell_type", "1", 0.0F, labelled);
-    auto accessor = grid->getAccessor();
     constexpr auto fluid = static_cast<float>(CellType::fluid);
-    for_each_tile(field, [&](const openvdb::Coord& first, float distance) {
-        if (distance < 0.0F) accessor.addTile(tile_level, first, fluid, /*active=*/true);
+    for_each_tile(field, [&](const openvdb::CoordBBox& box, float distance) {
+        if (distance < 0.0F) grid->sparseFill(box, fluid, /*active=*/true);
     });
+    auto accessor = grid->getAccessor();
     for_each_held_voxel(field, [&](const openvdb::Coord& voxel, std::size_t place) {
         if (field.wall_distance.of_voxels[place] < 0.0F) accessor.setValue(voxel, fluid);
     });

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* before_settings =
     R"py("""The standard view of this run in ParaView 5.10 or later.
 
-    paraview --script=view.py
+    cd here && paraview --script=view.py
     pvpython view.py picture.png
 
 Left: the vessel and the device, coloured by its metal coverage. Right: a slice along the device with the
@@ -24,6 +24,7 @@ import sys
 
 from paraview.simple import *
 
+# ParaView's --script tells a script nothing of its place: then it is the folder ParaView was started in.
 FOLDER = os.path.dirname(os.path.abspath(__file__)) if "__file__" in globals() else os.getcwd()
 )py";
 
@@ -32,7 +33,7 @@ constexpr const char* after_settings = R"py(
 def reader(name):
     path = os.path.join(FOLDER, name)
     if not os.path.exists(path):
-        raise SystemExit(f"{path} is missing: view.py shows the files of the folder that it lies in")
+        raise RuntimeError(f"{path} is missing: start ParaView in the folder of view.py")
     kind = XMLImageDataReader if name.endswith(".vti") else XMLPolyDataReader
     source = kind(registrationName=name, FileName=[path])
     source.UpdatePipeline()
@@ -48,6 +49,7 @@ def show_vessel(source, view):
 
 def colour(display, view, array, title, preset):
     ColorBy(display, ("CELLS", array))
+    display.Ambient, display.Diffuse = 0.5, 0.5
     table = GetColorTransferFunction(array)
     table.ApplyPreset(preset, True)
     display.RescaleTransferFunctionToDataRange(False)
@@ -55,6 +57,7 @@ def colour(display, view, array, title, preset):
     bar = GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.3g", "%.3g"
     bar.Orientation, bar.WindowLocation = "Horizontal", "Lower Center"
 
 

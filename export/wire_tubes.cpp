@@ -69,12 +69,24 @@ WireLine wire_line(const BraidLattice& lattice, const InsetBraid& braid, Wire wi
     return line;
 }
 
-/// Directions along a polyline: of the chord from the point before to the point after.
-Vec3 tangent_at(const std::vector<Vec3>& points, std::size_t i)
+/// The plane in which two straight pieces of a tube meet.
+struct Mitre {
+    Vec3 tangent = Vec3::UnitX();  ///< unit, halfway between the directions of the pieces
+    Vec3 bend = Vec3::Zero();      ///< unit, in the plane and that of the pieces; 0 if they are one
+    double stretch = 0.0;          ///< along it, the section is wider than a piece by this, over 1
+};
+
+Mitre mitre_at(const std::vector<Vec3>& points, std::size_t i)
 {
-    const std::size_t before = i == 0 ? 0 : i - 1;
-    const std::size_t after = i + 1 == points.size() ? i : i + 1;
-    return (points[after] - points[before]).normalized();
+    const auto direction = [&](std::size_t piece) {
+        return (points[piece + 1] - points[piece]).normalized().eval();
+    };
+    if (i == 0) return {.tangent = direction(0)};
+    if (i + 1 == points.size()) return {.tangent = direction(i - 1)};
+    const Vec3 before = direction(i - 1), after = direction(i);
+    const Vec3 sum = before + after, difference = after - before;
+    // |sum| = 2 cos(kink / 2)
+    return {sum.normalized(), difference.stableNormalized(), 2.0 / sum.norm() - 1.0};
 }
 
 /// Appends the tube about a line: a ring of corners at each of its points, a fan over each end.
@@ -83,13 +95,14 @@ void append_tube(TriangleMesh& mesh, const WireLine& line, int facets, double ra
     const int first = static_cast<int>(mesh.points.size());
     const int num_rings = static_cast<int>(line.points.size());
     for (std::size_t i = 0; i < line.points.size(); ++i) {
-        const Vec3 tangent = tangent_at(line.points, i);
-        const Vec3 side = tangent.cross(line.normals[i]).normalized();
-        const Vec3 up = side.cross(tangent);
+        const Mitre mitre = mitre_at(line.points, i);
+        const Vec3 side = mitre.tangent.cross(line.normals[i]).normalized();
+        const Vec3 up = side.cross(mitre.tangent);
         for (int facet = 0; facet < facets; ++facet) {
             const double angle = 2.0 * std::numbers::pi * facet / facets;
-            mesh.points.push_back(line.points[i] +
-                                  radius * (std::cos(angle) * up + std::sin(angle) * side));
+            const Vec3 offset = radius * (std::cos(angle) * up + std::sin(angle) * side);
+            mesh.points.push_back(line.points[i] + offset +
+                                  mitre.stretch * offset.dot(mitre.bend) * mitre.bend);
         }
     }
     const auto corner = [&](int ring, int facet) { return first + ring * facets + facet % facets; };
