@@ -42,7 +42,8 @@ vessel's openings must lie.
 FluidX3D: `voxelize_stl` sets a flag inside the surface and places and scales each file by itself. Give
 `vessel.stl` the flag TYPE_X, then TYPE_S to every cell without it; place `device.stl` or `wires.stl` by
 the bounding boxes in `surfaces.json`.
-HemeLB: `vessel.stl` for the geometry tool, an iolet at each of `openings`, `length_unit_m` as its unit.
+HemeLB: `vessel.stl` as `StlFile` of the geometry tool's profile (`StlFileUnitId` 0: m, 1: mm, 2: um), an
+iolet at each of `openings`.
 )";
 
 Json vector_as_json(const Vec3& v)
@@ -133,7 +134,7 @@ void add_wires(SurfaceFiles& files, const SurfaceDevice& device, const WallTree&
     const Vec3 place = tubes.least_gap_place / files.unit.metres;
     files.notes.push_back(fmt::format(
         "surfaces/{}: wires overlap in {} places, most at ({:.6g}, {:.6g}, {:.6g}) {} by {:.3g} of "
-        "their diameter: the braid is denser there than round wires can lie",
+        "their diameter: there they lie denser, or cross at a smaller angle, than round wires can",
         name, tubes.num_overlaps, place.x(), place.y(), place.z(), files.unit.name,
         -tubes.least_gap / device.wire_diameter));
 }
