@@ -6,9 +6,9 @@
 #include "core/nearest_name.hpp"
 #include "core/toml_reader.hpp"
 #include "deploy/device_library.hpp"
+#include "export/vdb_labels.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -179,28 +179,37 @@ LatticeExportOptions read_lattice_options(const TomlTable& table)
     for (const LatticeTarget target : all_lattice_targets())
         names.push_back(target_name(target));
     options.targets.clear();
-    for (const std::string& name : table.texts("targets")) {
-        const auto found = std::find(names.begin(), names.end(), name);
-        if (found == names.end()) {
-            throw ConfigError(fmt::format("{}: \"{}\" is not known{}", table.where("targets"), name,
-                                          did_you_mean(name, names)));
-        }
-        const auto target = all_lattice_targets()[static_cast<std::size_t>(found - names.begin())];
-        if (std::find(options.targets.begin(), options.targets.end(), target) !=
-            options.targets.end()) {
-            throw ConfigError(
-                fmt::format("{}: \"{}\" is given twice", table.where("targets"), name));
-        }
-        options.targets.push_back(target);
-    }
-    if (options.targets.empty()) {
-        throw ConfigError(fmt::format("{} is empty; known are {}", table.where("targets"),
-                                      fmt::join(names, ", ")));
-    }
+    for (const std::size_t place : some_of(table, "targets", {}, names))
+        options.targets.push_back(all_lattice_targets()[place]);
     return options;
 }
 
-Exports read_exports(const std::vector<TomlTable>& tables)
+/// @param spacing  of the voxel fields, which the signed distance has by default [m]
+SurfacesOptions read_surfaces_options(const TomlTable& table, double spacing)
+{
+    SurfacesOptions options;
+    if (table.has("parts")) {
+        options.parts.clear();
+        for (const std::size_t place : some_of(table, "parts", {}, surface_part_names()))
+            options.parts.push_back(static_cast<SurfacePart>(place));
+    }
+    const std::vector<std::string> patterns = braid_pattern_names();
+    const auto default_pattern = static_cast<std::size_t>(options.wires.pattern.over - 1);
+    const std::string pattern = one_of(table, "braid_pattern", patterns[default_pattern], patterns);
+    options.wires.pattern.over =
+        1 +
+        static_cast<int>(std::find(patterns.begin(), patterns.end(), pattern) - patterns.begin());
+    options.wires.facets = integer_in_range(table, "wire_facets", options.wires.facets, 3, 64);
+    options.wires.pieces_per_arm =
+        integer_in_range(table, "wire_pieces", options.wires.pieces_per_arm, 2, 64);
+    if (table.has("shell_thickness"))
+        options.shell_thickness = positive_or(table, "shell_thickness", Dimension::length, 0.0);
+    options.distance_spacing = positive_or(table, "distance_spacing", Dimension::length, spacing);
+    return options;
+}
+
+/// @param spacing  of the voxel fields [m]
+Exports read_exports(const std::vector<TomlTable>& tables, double spacing)
 {
     if (tables.empty()) return {.openfoam = FoamCaseOptions{}};
     Exports exports;
@@ -208,7 +217,7 @@ Exports read_exports(const std::vector<TomlTable>& tables)
     for (const TomlTable& table : tables) {
         table.text("format");  // required here, without a default
         const std::string format =
-            one_of(table, "format", "", {"vtk", "openvdb", "openfoam", "lattice"});
+            one_of(table, "format", "", {"vtk", "openvdb", "openfoam", "lattice", "surfaces"});
         if (std::find(seen.begin(), seen.end(), format) != seen.end()) {
             throw ConfigError(
                 fmt::format("{} = \"{}\" is given twice", table.where("format"), format));
@@ -216,6 +225,7 @@ Exports read_exports(const std::vector<TomlTable>& tables)
         seen.push_back(format);
         if (format == "openfoam") exports.openfoam = read_foam_options(table);
         if (format == "lattice") exports.lattice = read_lattice_options(table);
+        if (format == "surfaces") exports.surfaces = read_surfaces_options(table, spacing);
     }
     return exports;
 }
@@ -253,8 +263,14 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     job.law = read_law(porous);
     job.sheet = read_sheet_options(porous);
     job.deposit = read_grid(root.table_or_empty("grid"));
-    job.exports = read_exports(root.tables("export"));
+    job.exports = read_exports(root.tables("export"), job.deposit.spacing);
     root.finish();
+    require_vdb_spacing("grid.spacing", job.deposit.spacing, job.vessel.unit);
+    if (job.exports.surfaces) {
+        require_possible_wires(job.device, *job.exports.surfaces);
+        if (job.second_device)
+            require_possible_wires(job.second_device->device, *job.exports.surfaces);
+    }
     return job;
 }
 

@@ -8,6 +8,7 @@
 #include "deploy/flow_diverter.hpp"
 #include "export/foam_case.hpp"
 #include "export/lattice_export.hpp"
+#include "export/surfaces_export.hpp"
 #include "porous/porous_field.hpp"
 #include "porous/resistance_law.hpp"
 #include "porous/resistance_sheet.hpp"
@@ -41,6 +42,7 @@ struct VesselSource {
 struct Exports {
     std::optional<FoamCaseOptions> openfoam;  ///< openfoam/; on by default, without any [[export]]
     std::optional<LatticeExportOptions> lattice = {};  ///< lattice/
+    std::optional<SurfacesOptions> surfaces = {};      ///< surfaces/
 };
 
 /// A device that is deployed inside the first one: [second_device]. Its other options are those of

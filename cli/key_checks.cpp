@@ -4,6 +4,7 @@
 #include "core/nearest_name.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -57,6 +58,28 @@ std::filesystem::path file_path(const TomlTable& table, const std::string& key)
     if (text.empty())
         throw ConfigError(fmt::format("{} is empty; expected is a file", table.where(key)));
     return (table.folder() / text).lexically_normal();
+}
+
+std::vector<std::size_t> some_of(const TomlTable& table, const std::string& key,
+                                 const std::vector<std::size_t>& fallback,
+                                 const std::vector<std::string>& allowed)
+{
+    if (!table.has(key)) return fallback;
+    std::vector<std::size_t> places;
+    for (const std::string& name : table.texts(key)) {
+        const auto found = std::find(allowed.begin(), allowed.end(), name);
+        if (found == allowed.end()) {
+            throw ConfigError(fmt::format("{}: \"{}\" is not known{}", table.where(key), name,
+                                          did_you_mean(name, allowed)));
+        }
+        const auto place = static_cast<std::size_t>(found - allowed.begin());
+        if (std::find(places.begin(), places.end(), place) != places.end())
+            throw ConfigError(fmt::format("{}: \"{}\" is given twice", table.where(key), name));
+        places.push_back(place);
+    }
+    if (!places.empty()) return places;
+    throw ConfigError(
+        fmt::format("{} is empty; known are {}", table.where(key), fmt::join(allowed, ", ")));
 }
 
 }  // namespace braidzone

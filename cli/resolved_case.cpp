@@ -229,6 +229,25 @@ Json fluid_section(const Case& job)
     return section;
 }
 
+Json surfaces_section(const SurfacesOptions& surfaces)
+{
+    Json parts = Json::array();
+    for (const SurfacePart part : surfaces.parts)
+        parts.push_back(surface_part_names()[static_cast<std::size_t>(part)]);
+    const WireTubeOptions& wires = surfaces.wires;
+    Json section = {
+        {"format", "surfaces"},
+        {"parts", parts},
+        {"braid_pattern", braid_pattern_names()[static_cast<std::size_t>(wires.pattern.over - 1)]},
+        {"wire_facets", wires.facets},
+        {"wire_pieces", wires.pieces_per_arm},
+        {"distance_spacing", length(surfaces.distance_spacing)}};
+    // Absent: two wire diameters of each device.
+    if (surfaces.shell_thickness > 0.0)
+        section["shell_thickness"] = length(surfaces.shell_thickness);
+    return section;
+}
+
 Json export_sections(const Exports& exports)
 {
     Json sections = Json::array({{{"format", "vtk"}}, {{"format", "openvdb"}}});
@@ -243,6 +262,7 @@ Json export_sections(const Exports& exports)
                                                               Dimension::velocity)},
                             {"velocity_lu", exports.lattice->flow.velocity_lu}});
     }
+    if (exports.surfaces) sections.push_back(surfaces_section(*exports.surfaces));
     return sections;
 }
 

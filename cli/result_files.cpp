@@ -1,6 +1,7 @@
 #include "cli/result_files.hpp"
 
 #include "cli/case_geometry.hpp"
+#include "cli/case_hash.hpp"
 #include "cli/resolved_case.hpp"
 #include "core/error.hpp"
 #include "export/device_vtp.hpp"
@@ -10,7 +11,9 @@
 #include "export/foam_fluid.hpp"
 #include "export/frames_vtp.hpp"
 #include "export/lattice_export.hpp"
+#include "export/paraview_view.hpp"
 #include "export/unrolled.hpp"
+#include "export/vessel_vtp.hpp"
 #include "export/wires_vtp.hpp"
 
 #include <fmt/format.h>
@@ -129,27 +132,71 @@ std::vector<std::string> write_lattice_of(const Case& job, const Chain& chain,
     return notes;
 }
 
+std::vector<std::string> write_surfaces_of(const Case& job, const Chain& chain,
+                                           const fs::path& folder, const FileOrigin& origin)
+{
+    std::vector<SurfaceDevice> devices{{"", chain.deployment, job.device.wire_diameter}};
+    if (chain.second) {
+        devices.push_back(
+            {"second_", chain.second->deployment, job.second_device->device.wire_diameter});
+    }
+    return write_surfaces(folder, chain.vessel, chain.wall, devices, *job.exports.surfaces, origin);
+}
+
+/// Across the device in its middle, the neck upwards; without one, the side that the middle ring's
+/// frame names.
+StandardView standard_view(const Chain& chain)
+{
+    const Deployment& deployment = chain.deployment;
+    const CrossSection& middle = deployment.rings[deployment.rings.size() / 2];
+    const Vec3 chord = deployment.rings.front().origin - deployment.rings.back().origin;
+    StandardView view;
+    view.centre = middle.origin;
+    view.along = chord.norm() > 0.0 ? Vec3(chord.normalized()) : middle.tangent;
+    view.towards = middle.normal;
+    view.size = 1.2 * chord.norm();
+    view.has_field = chain.field.has_value();
+    view.has_second = chain.second.has_value();
+    if (chain.openings.empty() || chain.openings.front().nodes.empty()) return view;
+    Vec3 neck = Vec3::Zero();
+    for (const int node : chain.openings.front().nodes)
+        neck += deployment.nodes[static_cast<std::size_t>(node)];
+    neck /= static_cast<double>(chain.openings.front().nodes.size());
+    const std::size_t ring = static_cast<std::size_t>(chain.openings.front().distal_ring +
+                                                      chain.openings.front().proximal_ring) /
+                             2;
+    view.centre = deployment.rings[ring].origin;
+    view.towards = neck - view.centre;
+    view.along = deployment.rings[ring].tangent;
+    return view;
+}
+
 }  // namespace
 
 std::vector<std::string> write_results(const Case& job, const Chain& chain, Stage last,
                                        const fs::path& folder)
 {
     const LengthUnit& unit = chain.vessel.unit;
+    const FileOrigin origin{"Braidzone " BRAIDZONE_VERSION, case_hash(job)};
+    write_vessel_vtp(folder / "vessel.vtp", chain.vessel);
     write_device_files(folder, "", chain.deployment, chain.sheet, job.device.wire_diameter, unit);
     if (chain.second) {
         write_device_files(folder, "second_", chain.second->deployment, chain.second->sheet,
                            job.second_device->device.wire_diameter, unit);
     }
     if (chain.field) {
-        write_field_vdb(folder / "field.vdb", *chain.field, unit);
+        write_field_vdb(folder / "field.vdb", *chain.field, unit, origin);
         write_field_vti(folder / "field.vti", *chain.field, unit);
     }
+    write_paraview_view(folder / "view.py", standard_view(chain), unit);
+    if (last != Stage::exports) return {};
     std::vector<std::string> notes;
-    if (last != Stage::exports) return notes;
-    if (job.exports.openfoam) notes = write_foam(job, chain, folder / "openfoam");
-    if (!job.exports.lattice) return notes;
-    const auto lattice_notes = write_lattice_of(job, chain, folder / "lattice");
-    notes.insert(notes.end(), lattice_notes.begin(), lattice_notes.end());
+    const auto add_notes = [&](const std::vector<std::string>& more) {
+        notes.insert(notes.end(), more.begin(), more.end());
+    };
+    if (job.exports.openfoam) add_notes(write_foam(job, chain, folder / "openfoam"));
+    if (job.exports.lattice) add_notes(write_lattice_of(job, chain, folder / "lattice"));
+    if (job.exports.surfaces) add_notes(write_surfaces_of(job, chain, folder / "surfaces", origin));
     return notes;
 }
 

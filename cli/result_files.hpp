@@ -6,11 +6,12 @@
 
 namespace braidzone {
 
-/// Writes the result files of a run, except its summary: device.vtp, wires.vtp, unrolled.vtp,
-/// unrolled.png and residuals.csv (largest force on a free node against the step) always,
-/// second_device.vtp and second_wires.vtp for a second device, frames.pvd with its frames if the
-/// first device's motion was recorded, the fields if the chain holds one, the OpenFOAM case and the
-/// lattice after the last stage; the latter two as far as the case asks for them.
+/// Writes the result files of a run, except its summary: vessel.vtp, view.py (`paraview_view.hpp`),
+/// device.vtp, wires.vtp, unrolled.vtp, unrolled.png and residuals.csv (largest force on a free
+/// node against the step) always, second_device.vtp and second_wires.vtp for a second device,
+/// frames.pvd with its frames if the first device's motion was recorded, the fields if the chain
+/// holds one, the OpenFOAM case, the lattice and the surfaces after the last stage; the latter
+/// three as far as the case asks for them.
 ///
 /// `openfoam/braidzone` holds a copy of the case with its vessel and centerline, so that the
 /// OpenFOAM folder can be taken elsewhere and its Allrun still applies this device.

@@ -1,5 +1,6 @@
 #include "cli/summary.hpp"
 
+#include "cli/case_hash.hpp"
 #include "cli/file_hash.hpp"
 #include "cli/library_versions.hpp"
 #include "cli/resolved_case.hpp"
@@ -157,23 +158,14 @@ Json run_quantities(const Chain& chain, const Progress& progress)
     };
 }
 
-Json input_files(const Case& job)
+Json inputs_of(const Case& job)
 {
     Json inputs = Json::array();
-    const auto add = [&](const char* role, const std::filesystem::path& path) {
-        inputs.push_back(
-            {{"role", role}, {"file", path.string()}, {"sha256", sha256_of_file(path)}});
-    };
-    add("case", job.file);
-    add("vessel", job.vessel.surface);
-    if (job.vessel.centerline) add("centerline", *job.vessel.centerline);
-    if (!job.schedule.table_file.empty()) add("spacing_table", job.schedule.table_file);
-    if (const auto* measured = std::get_if<MeasuredLaw>(&job.law))
-        add("loss_table", measured->table);
-    if (job.exports.openfoam && job.exports.openfoam->flow.waveform)
-        add("waveform", job.exports.openfoam->flow.waveform->file);
-    if (job.second_device && !job.second_device->schedule.table_file.empty())
-        add("second_spacing_table", job.second_device->schedule.table_file);
+    for (const InputFile& input : input_files(job)) {
+        inputs.push_back({{"role", input.role},
+                          {"file", input.path.string()},
+                          {"sha256", sha256_of_file(input.path)}});
+    }
     return inputs;
 }
 
@@ -227,7 +219,8 @@ Json summarise(const Case& job, const Chain& chain, const Progress& progress,
                                     {"lattice", lattice_of(second.deployment)}};
     }
     summary["case"] = resolved_case(job);
-    summary["inputs"] = input_files(job);
+    summary["inputs"] = inputs_of(job);
+    summary["case_hash"] = case_hash(job);
     summary["versions"] = library_versions();
     summary["stages"] = stages;
     summary["files"] = files;

@@ -1,5 +1,7 @@
 #include "deploy/device_lining.hpp"
 
+#include "deploy/node_normals.hpp"
+
 namespace braidzone {
 
 namespace {
@@ -20,24 +22,10 @@ std::array<int, 4> corners_of_rhombus(const BraidLattice& lattice, int rhombus)
 
 TriangleMesh inner_surface(const Deployment& deployment, double wire_diameter)
 {
-    const BraidLattice& lattice = deployment.lattice;
-    const std::vector<Vec3>& nodes = deployment.nodes;
-    TriangleMesh mesh;
-    std::vector<Vec3> normals(nodes.size(), Vec3::Zero());
-    for (int rhombus = 0; rhombus < lattice.num_rhombi(); ++rhombus) {
-        const std::array<int, 4> corners = corners_of_rhombus(lattice, rhombus);
-        const auto& [a, b, c, d] = corners;
-        // Cut between the two nodes of one ring, the shorter diagonal of a braid that lies well.
-        mesh.triangles.push_back({a, b, d});
-        mesh.triangles.push_back({b, c, d});
-        const Vec3 area =
-            (nodes[index(c)] - nodes[index(a)]).cross(nodes[index(d)] - nodes[index(b)]);
-        for (const int corner : corners)
-            normals[index(corner)] += area;
-    }
-    for (std::size_t node = 0; node < nodes.size(); ++node) {
-        mesh.points.push_back(nodes[node] - 2.0 * wire_diameter * normals[node].normalized());
-    }
+    const std::vector<Vec3> normals = node_normals(deployment.lattice, deployment.nodes);
+    TriangleMesh mesh{deployment.nodes, rhombus_triangles(deployment.lattice)};
+    for (std::size_t node = 0; node < normals.size(); ++node)
+        mesh.points[node] -= 2.0 * wire_diameter * normals[node];
     return mesh;
 }
 

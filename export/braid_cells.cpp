@@ -113,6 +113,7 @@ void add_cell_fields(vtkPolyData& data, const ResistanceSheet& sheet)
     add_numbers(fields, "resistance_acting", sheet.acting);
     add_numbers(fields, "contact_pressure", surface.contact_pressure);
     add_numbers(fields, "normal", surface.normals);
+    data.GetCellData()->SetActiveScalars("metal_coverage");
 }
 
 const std::vector<ArrayUnit> array_units{{"wall_contact", "1"},

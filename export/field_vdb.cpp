@@ -1,6 +1,7 @@
 #include "export/field_vdb.hpp"
 
 #include "core/error.hpp"
+#include "export/vdb_labels.hpp"
 #include "export/vdb_mark.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace braidzone {
@@ -24,30 +26,48 @@ openvdb::Coord coordinate(const VoxelGrid& grid, std::int64_t index)
     return {i, j, k};
 }
 
+/// The field with what its grids say about it.
+struct LabelledField {
+    const PorousField& field;
+    const LengthUnit& unit;
+    const FileOrigin& file;
+};
+
 /// Names a grid, places it in the vessel's unit and states its units.
 template <typename Grid>
 typename Grid::Ptr make_grid(const std::string& name, const std::string& value_unit,
-                             const typename Grid::ValueType& background, const PorousField& field,
-                             const LengthUnit& unit)
+                             const typename Grid::ValueType& background,
+                             const LabelledField& labelled)
 {
     auto grid = Grid::create(background);
     grid->setName(name);
-    const double spacing = field.grid.spacing / unit.metres;
-    const Vec3 origin = field.grid.origin / unit.metres;
-    auto transform = openvdb::math::Transform::createLinearTransform(spacing);
+    grid->setSaveFloatAsHalf(false);
+    const VoxelGrid& voxels = labelled.field.grid;
+    const Vec3 origin = voxels.origin / labelled.unit.metres;
+    auto transform =
+        openvdb::math::Transform::createLinearTransform(voxels.spacing / labelled.unit.metres);
     transform->postTranslate({origin[0], origin[1], origin[2]});
     grid->setTransform(transform);
-    grid->insertMeta("unit", openvdb::StringMetadata(value_unit));
-    grid->insertMeta("length_unit", openvdb::StringMetadata(unit.name));
+    VdbLabels labels{.unit = labelled.unit,
+                     .spacing = voxels.spacing,
+                     .origin = voxels.origin,
+                     .dims = voxels.dims,
+                     .value_unit = value_unit,
+                     .file = labelled.file};
+    if constexpr (std::is_same_v<Grid, openvdb::FloatGrid>) {
+        labels.background = background;
+        grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+    }
+    add_vdb_labels<openvdb::TypedMetadata>(*grid, labels);
     return grid;
 }
 
 openvdb::GridBase::Ptr sparse_grid(const std::string& name, const std::string& value_unit,
                                    float background, const std::vector<double>& values,
-                                   const PorousField& field, const LengthUnit& unit)
+                                   const LabelledField& labelled)
 {
-    const auto grid = make_grid<openvdb::FloatGrid>(name, value_unit, background, field, unit);
-    grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+    const PorousField& field = labelled.field;
+    const auto grid = make_grid<openvdb::FloatGrid>(name, value_unit, background, labelled);
     auto accessor = grid->getAccessor();
     for (std::size_t i = 0; i < values.size(); ++i) {
         accessor.setValue(coordinate(field.grid, field.voxels[i]), static_cast<float>(values[i]));
@@ -55,10 +75,10 @@ openvdb::GridBase::Ptr sparse_grid(const std::string& name, const std::string& v
     return grid;
 }
 
-openvdb::GridBase::Ptr normal_grid(const PorousField& field, const LengthUnit& unit)
+openvdb::GridBase::Ptr normal_grid(const LabelledField& labelled)
 {
-    const auto grid =
-        make_grid<openvdb::Vec3SGrid>("normal", "1", openvdb::Vec3s(0.0F), field, unit);
+    const PorousField& field = labelled.field;
+    const auto grid = make_grid<openvdb::Vec3SGrid>("normal", "1", openvdb::Vec3s(0.0F), labelled);
     grid->setVectorType(openvdb::VEC_COVARIANT_NORMALIZE);
     auto accessor = grid->getAccessor();
     for (std::size_t i = 0; i < field.normal.size(); ++i) {
@@ -84,51 +104,54 @@ void for_each_held_voxel(const PorousField& field, Visit visit)
     }
 }
 
-/// Calls visit(coordinate, distance) for every cube that is one number: a tile, which is what a
-/// leaf of OpenVDB's tree would hold.
+/// Calls visit(box, distance) for every cube that is one number, less what reaches over the grid: a
+/// tile, which is what a leaf of OpenVDB's tree would hold.
 template <typename Visit>
 void for_each_tile(const PorousField& field, Visit visit)
 {
     static_assert(VoxelCubes::edge == openvdb::FloatTree::LeafNodeType::DIM);
+    constexpr int edge = VoxelCubes::edge;
     const VoxelCubes& cubes = field.wall_distance.cubes;
+    const auto& [nx, ny, nz] = field.grid.dims;
+    const openvdb::CoordBBox grid({0, 0, 0}, {nx - 1, ny - 1, nz - 1});
     for (std::size_t cube = 0; cube < cubes.num_cubes(); ++cube) {
         if (cubes.slots[cube] != VoxelCubes::not_held) continue;
         const auto& [a, b, c] = cubes.place_of(cube);
-        constexpr int edge = VoxelCubes::edge;
-        visit(openvdb::Coord(edge * a, edge * b, edge * c), field.wall_distance.of_cubes[cube]);
+        auto box = openvdb::CoordBBox::createCube({edge * a, edge * b, edge * c}, edge);
+        box.intersect(grid);
+        visit(box, field.wall_distance.of_cubes[cube]);
     }
 }
 
-/// Level above the leaves, on which a tile is one leaf large.
-constexpr openvdb::Index tile_level = 1;
-
-openvdb::GridBase::Ptr wall_distance_grid(const PorousField& field, const LengthUnit& unit)
+openvdb::GridBase::Ptr wall_distance_grid(const LabelledField& labelled)
 {
+    const PorousField& field = labelled.field;
     // Beyond the grid nothing is known; the largest distance keeps a contour of 0 from closing
     // along the grid's faces.
     float farthest = 0.0F;
     for (const auto* distances : {&field.wall_distance.of_voxels, &field.wall_distance.of_cubes})
         for (const float distance : *distances)
             farthest = std::max(farthest, std::abs(distance));
-    const auto grid = make_grid<openvdb::FloatGrid>("wall_distance", "m", farthest, field, unit);
-    auto accessor = grid->getAccessor();
-    for_each_tile(field, [&](const openvdb::Coord& first, float distance) {
-        accessor.addTile(tile_level, first, distance, /*active=*/false);
+    const auto grid = make_grid<openvdb::FloatGrid>("wall_distance", "m", farthest, labelled);
+    for_each_tile(field, [&](const openvdb::CoordBBox& box, float distance) {
+        grid->sparseFill(box, distance, /*active=*/false);
     });
+    auto accessor = grid->getAccessor();
     for_each_held_voxel(field, [&](const openvdb::Coord& voxel, std::size_t place) {
         accessor.setValue(voxel, field.wall_distance.of_voxels[place]);
     });
     return grid;
 }
 
-openvdb::GridBase::Ptr cell_type_grid(const PorousField& field, const LengthUnit& unit)
+openvdb::GridBase::Ptr cell_type_grid(const LabelledField& labelled)
 {
-    const auto grid = make_grid<openvdb::FloatGrid>("cell_type", "1", 0.0F, field, unit);
-    auto accessor = grid->getAccessor();
+    const PorousField& field = labelled.field;
+    const auto grid = make_grid<openvdb::FloatGrid>("cell_type", "1", 0.0F, labelled);
     constexpr auto fluid = static_cast<float>(CellType::fluid);
-    for_each_tile(field, [&](const openvdb::Coord& first, float distance) {
-        if (distance < 0.0F) accessor.addTile(tile_level, first, fluid, /*active=*/true);
+    for_each_tile(field, [&](const openvdb::CoordBBox& box, float distance) {
+        if (distance < 0.0F) grid->sparseFill(box, fluid, /*active=*/true);
     });
+    auto accessor = grid->getAccessor();
     for_each_held_voxel(field, [&](const openvdb::Coord& voxel, std::size_t place) {
         if (field.wall_distance.of_voxels[place] < 0.0F) accessor.setValue(voxel, fluid);
     });
@@ -141,24 +164,24 @@ openvdb::GridBase::Ptr cell_type_grid(const PorousField& field, const LengthUnit
 }  // namespace
 
 void write_field_vdb(const std::filesystem::path& path, const PorousField& field,
-                     const LengthUnit& unit)
+                     const LengthUnit& unit, const FileOrigin& origin)
 {
+    require_vdb_spacing("grid.spacing", field.grid.spacing, unit);
     openvdb::initialize();
+    const LabelledField labelled{field, unit, origin};
     const openvdb::GridPtrVec grids{
-        sparse_grid("void_fraction", "1", 1.0F, field.void_fraction, field, unit),
-        sparse_grid("surface_density", "1/m", 0.0F, field.surface_density, field, unit),
-        sparse_grid("darcy_normal", "1/m^2", 0.0F, field.darcy_normal, field, unit),
-        sparse_grid("darcy_tangential", "1/m^2", 0.0F, darcy_tangential(field), field, unit),
-        sparse_grid("forchheimer_normal", "1/m", 0.0F, field.forchheimer_normal, field, unit),
-        sparse_grid("forchheimer_tangential", "1/m", 0.0F, forchheimer_tangential(field), field,
-                    unit),
-        sparse_grid("pressure_loss_linear", "Pa s/m", 0.0F, pressure_loss_linear(field), field,
-                    unit),
+        sparse_grid("void_fraction", "1", 1.0F, field.void_fraction, labelled),
+        sparse_grid("surface_density", "1/m", 0.0F, field.surface_density, labelled),
+        sparse_grid("darcy_normal", "1/m^2", 0.0F, field.darcy_normal, labelled),
+        sparse_grid("darcy_tangential", "1/m^2", 0.0F, darcy_tangential(field), labelled),
+        sparse_grid("forchheimer_normal", "1/m", 0.0F, field.forchheimer_normal, labelled),
+        sparse_grid("forchheimer_tangential", "1/m", 0.0F, forchheimer_tangential(field), labelled),
+        sparse_grid("pressure_loss_linear", "Pa s/m", 0.0F, pressure_loss_linear(field), labelled),
         sparse_grid("pressure_loss_quadratic", "Pa s^2/m^2", 0.0F, pressure_loss_quadratic(field),
-                    field, unit),
-        normal_grid(field, unit),
-        wall_distance_grid(field, unit),
-        cell_type_grid(field, unit)};
+                    labelled),
+        normal_grid(labelled),
+        wall_distance_grid(labelled),
+        cell_type_grid(labelled)};
     try {
         openvdb::io::File file(path.string());
         file.write(grids);

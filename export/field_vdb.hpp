@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/length_unit.hpp"
+#include "export/file_origin.hpp"
 #include "porous/porous_field.hpp"
 
 #include <filesystem>
@@ -16,10 +17,13 @@ namespace braidzone {
 /// active; wall_distance [m, negative inside] with all of the field's voxels; cell_type (0 outside,
 /// 1 fluid, 2 porous; as a float, because Debian's pyopenvdb reads no integer grids) with those of
 /// the lumen. wall_distance is in metres whatever the coordinates' unit, so it is not marked as an
-/// OpenVDB level set. Each grid's metadata holds its `unit` and the file's `length_unit`. Equal
-/// fields give equal bytes.
-/// @throws IoError if the file cannot be written
+/// OpenVDB level set; `vessel_distance.hpp` writes one. All scalar grids are of the class fog
+/// volume. Each grid's metadata holds what `add_vdb_labels` lists. Equal fields give equal
+/// bytes.
+/// @throws IoError if the file cannot be written; ConfigError if the voxels are too small for
+/// OpenVDB
+///         (`require_vdb_spacing`)
 void write_field_vdb(const std::filesystem::path& path, const PorousField& field,
-                     const LengthUnit& unit);
+                     const LengthUnit& unit, const FileOrigin& origin = {});
 
 }  // namespace braidzone

@@ -185,6 +185,7 @@ protected:
         piece.add_sparse("pressure_loss_quadratic", quadratic_, 0.0F);
         piece.add_normal();
         piece.add_wall_distance_and_cell_type();
+        image->GetCellData()->SetActiveScalars("darcy_normal");
         add_units(*image, *unit_,
                   {{"void_fraction", "1"},
                    {"surface_density", "1/m"},

@@ -89,6 +89,14 @@ format = "lattice"
 targets = ["openlb", "numpy"]
 peak_velocity = "40 cm/s"
 velocity_lu = 0.04
+[[export]]
+format = "surfaces"
+parts = ["wires", "distance"]
+braid_pattern = "1-over-1"
+wire_facets = 12
+wire_pieces = 8
+shell_thickness = "0.1 mm"
+distance_spacing = "0.05 mm"
 )";
 
 TEST(CaseFile, NeedsFewKeys)
@@ -146,6 +154,27 @@ TEST(CaseFile, GivesEveryValueInSi)
     EXPECT_DOUBLE_EQ(job.exports.openfoam->coarse_cell, 0.4e-3);
     EXPECT_EQ(job.exports.openfoam->surface_refinement, 2);
     EXPECT_EQ(job.exports.openfoam->device_refinement, 3);
+    ASSERT_TRUE(job.exports.surfaces.has_value());
+    EXPECT_EQ(job.exports.surfaces->parts,
+              (std::vector{SurfacePart::wires, SurfacePart::distance}));
+    EXPECT_EQ(job.exports.surfaces->wires.pattern.over, 1);
+    EXPECT_EQ(job.exports.surfaces->wires.facets, 12);
+    EXPECT_EQ(job.exports.surfaces->wires.pieces_per_arm, 8);
+    EXPECT_DOUBLE_EQ(job.exports.surfaces->shell_thickness, 0.1e-3);
+    EXPECT_DOUBLE_EQ(job.exports.surfaces->distance_spacing, 0.05e-3);
+}
+
+TEST(CaseFile, WritesSurfacesAtTheFieldsSpacingByDefault)
+{
+    const test::TemporaryFolder folder;
+    const Case job = read_case(folder.write(
+        "case.toml", std::string(smallest) +
+                         "[grid]\nspacing = \"0.15 mm\"\n[[export]]\nformat = \"surfaces\"\n"));
+    EXPECT_FALSE(job.exports.openfoam.has_value());
+    ASSERT_TRUE(job.exports.surfaces.has_value());
+    EXPECT_EQ(job.exports.surfaces->parts.size(), 4U);
+    EXPECT_EQ(job.exports.surfaces->wires.pattern.over, 2);
+    EXPECT_DOUBLE_EQ(job.exports.surfaces->distance_spacing, 0.15e-3);
 }
 
 TEST(CaseFile, ReadsANeckAndASecondDevice)

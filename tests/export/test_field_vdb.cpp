@@ -2,6 +2,7 @@
 #include "export/field_vdb.hpp"
 #include "support/braids.hpp"
 #include "support/fields.hpp"
+#include "support/python.hpp"
 #include "support/shapes.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -85,7 +86,51 @@ TEST_F(FieldVdb, HoldsAllGridsWithTheirUnits)
         EXPECT_EQ(found->metaValue<std::string>("unit"), unit) << name;
         EXPECT_EQ(found->metaValue<std::string>("length_unit"), "mm") << name;
         EXPECT_FALSE(found->saveFloatAsHalf()) << name;
+        EXPECT_EQ(found->getGridClass(),
+                  std::string(name) == "normal" ? openvdb::GRID_UNKNOWN : openvdb::GRID_FOG_VOLUME)
+            << name;
     }
+}
+
+TEST_F(FieldVdb, SaysWhereItLiesAndComesFrom)
+{
+    const FileOrigin origin{"Braidzone 1.2.3", "abc123"};
+    write_field_vdb(path, field, millimetre, origin);
+    const std::string printed =
+        test::printed_by_python(folder.path(),
+                                "import pyopenvdb as v\n"
+                                "g = v.read('field.vdb', 'void_fraction')\n"
+                                "print(g['generator'], g['case_hash'])\n"
+                                "print(g['length_unit'], g['length_unit_m'])\n"
+                                "print('%.6g' % g['dx_m'], g['dims'])\n"
+                                "print(['%.6g' % x for x in g['origin']])\n"
+                                "print(g['background'], g.background)\n"
+                                "print(g.gridClass, g.saveFloatAsHalf)\n");
+    EXPECT_EQ(printed,
+              "Braidzone 1.2.3 abc123\n"
+              "mm 0.001\n"
+              "0.0002 (4, 5, 6)\n"
+              "['1', '-2', '3']\n"
+              "1.0 1.0\n"
+              "fog volume False\n");
+}
+
+// 1e-5 m are 1e-5 of the length unit.
+TEST_F(FieldVdb, RefusesVoxelsThatOpenVdbCannotPlace)
+{
+    field.grid.spacing = 1e-5;
+    try {
+        write_field_vdb(path, field, LengthUnit{"m", 1.0});
+        FAIL() << "nothing was thrown";
+    } catch (const ConfigError& error) {
+        EXPECT_STREQ(
+            error.what(),
+            "grid.spacing = 0.01 mm is 1e-05 of the vessel's length unit, m; OpenVDB takes "
+            "voxels of 1.45e-05 or more: state the vessel in a smaller unit, or raise "
+            "grid.spacing");
+    }
+    field.grid.spacing = 1.46e-5;
+    EXPECT_NO_THROW(write_field_vdb(path, field, LengthUnit{"m", 1.0}));
 }
 
 TEST_F(FieldVdb, EveryVoxelIsFoundAtItsPlace)
@@ -166,6 +211,8 @@ TEST(FieldVdbTiles, HoldTheLumenBetweenWallAndDevice)
         }
     }
     EXPECT_GT(in_lumen, 0U);
+    // Cubes that reach over the grid end with it.
+    EXPECT_EQ(type->activeVoxelCount(), in_lumen);
     EXPECT_LT(distance->tree().leafCount(), field.wall_distance.cubes.num_cubes());
 }
 
