@@ -70,7 +70,8 @@ void apply_case_to_foam(const std::filesystem::path& case_file,
     Progress progress(options.quiet);
     const Chain chain = run_chain(job, Stage::deploy, progress);
     progress.begin("export", "applying the resistance to the mesh");
-    const FoamApplication applied = apply_to_foam_case(foam_case, chain.resistance);
+    const FoamApplication applied = apply_to_foam_case(
+        foam_case, chain.resistance, {.shear_thinning = job.rheology.has_value()});
     progress.end();
 
     for (const std::string& warning : applied.warnings)

@@ -72,7 +72,8 @@ FoamApplication apply_to_foam_case(const std::filesystem::path& foam_case,
         result.warnings.push_back(
             "the device meets no flow: it lies on the wall everywhere, and no zone is written");
 
-    write_foam_zones(foam_case, zones, sheet.tangential_ratio);
+    write_foam_zones(foam_case, zones, sheet.tangential_ratio,
+                     options.shear_thinning ? std::optional(sheet.fluid) : std::nullopt);
     const auto sac_files = write_sac_zones(foam_case, mesh, sac);
     result.files = {"constant/polyMesh/cellZones", "constant/fvOptions", "constant/fvModels"};
     result.files.insert(result.files.end(), sac_files.begin(), sac_files.end());

@@ -10,8 +10,10 @@
 namespace braidzone {
 
 struct FoamApplyOptions {
-    FoamDepositOptions deposit;
+    FoamDepositOptions deposit = {};
     int most_zones = 64;  ///< see `cluster`
+    /// The case's fluid is shear-thinning: the resistance keeps the sheet's viscosity.
+    bool shear_thinning = false;
 };
 
 /// What `apply_to_foam_case` found and wrote.
@@ -39,7 +41,8 @@ struct FoamApplication {
 /// - fd_export.json: units, zones, integrals, checks
 ///
 /// The fluid's density does not enter: D and F are properties of the sheet. The viscosity that the
-/// solver multiplies D with must be the sheet's (constant/transportProperties of the same case).
+/// solver multiplies D with must be the sheet's (constant/transportProperties of the same case),
+/// unless `shear_thinning`: then it is written into the sources, and the density with it.
 ///
 /// @throws what `read_foam_mesh`, `deposit` and `write_foam_zones` throw
 FoamApplication apply_to_foam_case(const std::filesystem::path& foam_case,

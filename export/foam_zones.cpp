@@ -122,6 +122,24 @@ Vec3 some_perpendicular(const Vec3& n)
     return n.cross(Vec3::Unit(smallest)).normalized();
 }
 
+std::string darcy_forchheimer(const Vec3& d, const Vec3& f)
+{
+    return fmt::format(
+        "        type            DarcyForchheimer;\n"
+        "        d               d [0 -2 0 0 0 0 0] {};\n"
+        "        f               f [0 -1 0 0 0 0 0] {};\n",
+        foam_vector(d), foam_vector(f));
+}
+
+std::string fixed_coefficients(const Vec3& d, const Vec3& f, const Fluid& fluid)
+{
+    return fmt::format(
+        "        type            fixedCoeff;\n"
+        "        alpha           alpha [0 0 -1 0 0 0 0] {};\n"
+        "        beta            beta [0 -1 0 0 0 0 0] {};\n",
+        foam_vector(fluid.viscosity / fluid.density * d), foam_vector(0.5 * f));
+}
+
 }  // namespace
 
 std::vector<FoamZone> cluster(const CellResistance& resistance, const FoamMesh& mesh,
@@ -168,18 +186,24 @@ double resistance_integral(const std::vector<FoamZone>& zones)
 }
 
 std::string porous_sources(const std::vector<FoamZone>& zones, const TangentialRatio& ratio,
-                           const std::string& object)
+                           const std::string& object, const std::optional<Fluid>& fixed)
 {
     std::string text = foam_header("dictionary", "constant", object);
     text +=
         "// Resistance of the flow diverter: S = -(mu D + 1/2 rho |U| F) U, D in 1/m^2, F in 1/m,\n"
         "// along the axes of each zone; e1 is the normal of the braid.\n";
+    if (fixed)
+        text += fmt::format(
+            "// mu is {} Pa s whatever the shear: alpha = mu D / rho [1/s], beta = F / 2 [1/m].\n",
+            fixed->viscosity);
     if (zones.empty()) text += "// No zone: the device meets no flow, or is not applied yet.\n";
     auto out = std::back_inserter(text);
     for (std::size_t i = 0; i < zones.size(); ++i) {
         const FoamZone& zone = zones[i];
         const Vec3 d = zone.darcy * Vec3(1.0, ratio.linear, ratio.linear);
         const Vec3 f = zone.forchheimer * Vec3(1.0, ratio.quadratic, ratio.quadratic);
+        const std::string model =
+            fixed ? fixed_coefficients(d, f, *fixed) : darcy_forchheimer(d, f);
         fmt::format_to(out, R"(
 {name}
 {{
@@ -189,10 +213,7 @@ std::string porous_sources(const std::vector<FoamZone>& zones, const TangentialR
     {{
         selectionMode   cellZone;
         cellZone        {name};
-        type            DarcyForchheimer;
-        d               d [0 -2 0 0 0 0 0] {d};
-        f               f [0 -1 0 0 0 0 0] {f};
-        coordinateSystem
+{model}        coordinateSystem
         {{
             type            cartesian;
             origin          (0 0 0);
@@ -206,15 +227,15 @@ std::string porous_sources(const std::vector<FoamZone>& zones, const TangentialR
     }}
 }}
 )",
-                       fmt::arg("name", foam_zone_name(i)), fmt::arg("d", foam_vector(d)),
-                       fmt::arg("f", foam_vector(f)), fmt::arg("e1", foam_vector(zone.normal)),
+                       fmt::arg("name", foam_zone_name(i)), fmt::arg("model", model),
+                       fmt::arg("e1", foam_vector(zone.normal)),
                        fmt::arg("e2", foam_vector(some_perpendicular(zone.normal))));
     }
     return text;
 }
 
 void write_foam_zones(const std::filesystem::path& foam_case, const std::vector<FoamZone>& zones,
-                      const TangentialRatio& ratio)
+                      const TangentialRatio& ratio, const std::optional<Fluid>& fixed)
 {
     std::vector<FoamCellZone> cell_zones = read_cell_zones(foam_case);
     std::erase_if(cell_zones,
@@ -223,7 +244,8 @@ void write_foam_zones(const std::filesystem::path& foam_case, const std::vector<
         cell_zones.push_back({foam_zone_name(i), zones[i].cells});
     write_cell_zones(foam_case, cell_zones);
     for (const char* object : {"fvOptions", "fvModels"})
-        write_text_file(foam_case / "constant" / object, porous_sources(zones, ratio, object));
+        write_text_file(foam_case / "constant" / object,
+                        porous_sources(zones, ratio, object, fixed));
 }
 
 }  // namespace braidzone

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/fluid.hpp"
 #include "export/foam_resistance.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,15 +51,23 @@ double resistance_integral(const std::vector<FoamZone>& zones);
 ///
 /// The same text is read by openfoam.com (v1912: run; later: by its source) and by openfoam.org (8
 /// to 14: by its source), there also as constant/fvModels.
+///
+/// With a shear-thinning fluid the solver's mu is that of the resolved flow, which knows nothing of
+/// the shear between the wires. The sources then are of the model fixedCoeff, which has no mu:
+///
+///     S = -rho (alpha + beta |U|) U,   alpha = mu D / rho, beta = F / 2
+///
 /// @param object  "fvOptions" or "fvModels"
+/// @param fixed   the fluid whose viscosity the resistance keeps; none: the solver's own
 std::string porous_sources(const std::vector<FoamZone>& zones, const TangentialRatio& ratio,
-                           const std::string& object);
+                           const std::string& object, const std::optional<Fluid>& fixed = {});
 
 /// Writes the zones into constant/polyMesh/cellZones (those of the mesh are kept, FD_* of an
 /// earlier call replaced) and constant/fvOptions (`explicitPorositySource`, DarcyForchheimer), with
 /// a copy for openfoam.org's constant/fvModels.
+/// @param fixed  see `porous_sources`
 /// @throws IoError if a file cannot be read or written
 void write_foam_zones(const std::filesystem::path& foam_case, const std::vector<FoamZone>& zones,
-                      const TangentialRatio& ratio);
+                      const TangentialRatio& ratio, const std::optional<Fluid>& fixed = {});
 
 }  // namespace braidzone

@@ -130,6 +130,19 @@ TEST(PorousSources, StatesTensorAlongTheZonesAxes)
     EXPECT_NE(text.find("e1              (0 0 1);"), std::string::npos);
 }
 
+// nu D = 4e-6 m^2/s times D, and half of F.
+TEST(PorousSources, KeepAViscosityWithFixedCoefficients)
+{
+    FoamZone zone;
+    zone.darcy = 4e8;
+    zone.forchheimer = 5e3;
+    const std::string text = porous_sources({zone}, {0.25, 0.1}, "fvOptions", Fluid{1000.0, 4e-3});
+    EXPECT_EQ(text.find("DarcyForchheimer"), std::string::npos);
+    EXPECT_NE(text.find("fixedCoeff;"), std::string::npos);
+    EXPECT_NE(text.find("alpha [0 0 -1 0 0 0 0] (1600 400 400);"), std::string::npos) << text;
+    EXPECT_NE(text.find("beta [0 -1 0 0 0 0 0] (2500 250 250);"), std::string::npos) << text;
+}
+
 TEST(WriteFoamZones, KeepsOtherZonesAndReplacesItsOwn)
 {
     const test::TemporaryFolder folder;
