@@ -23,6 +23,7 @@ void read_inflow(const TomlTable& table, FoamFlow& flow)
     if (!table.has("waveform")) {
         refuse_without_waveform(table, "cycles");
         refuse_without_waveform(table, "max_courant");
+        refuse_without_waveform(table, "mean_flow_rate");
         flow.inlet_velocity =
             positive_or(table, "inlet_velocity", Dimension::velocity, flow.inlet_velocity);
         return;
@@ -33,6 +34,11 @@ void read_inflow(const TomlTable& table, FoamFlow& flow)
                         table.where("inlet_velocity")));
     }
     flow.waveform = read_flow_waveform(file_path(table, "waveform"));
+    if (table.has("mean_flow_rate")) {
+        const double mean = require_positive(
+            table, "mean_flow_rate", table.quantity("mean_flow_rate", Dimension::flow_rate));
+        flow.waveform = scaled_to_mean(*flow.waveform, mean);
+    }
     flow.cycles = integer_in_range(table, "cycles", flow.cycles, 1, 100);
     flow.max_courant = require_positive(table, "max_courant",
                                         table.number_or("max_courant", flow.max_courant), 100.0);

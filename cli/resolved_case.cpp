@@ -198,6 +198,10 @@ Json foam_section(const FoamCaseOptions& options)
     Json section = {{"format", "openfoam"}};
     if (flow.waveform) {
         section["waveform"] = flow.waveform->file.string();
+        if (flow.waveform->scaled_to) {
+            section["mean_flow_rate"] =
+                format_quantity(*flow.waveform->scaled_to, Dimension::flow_rate);
+        }
         section["cycles"] = flow.cycles;
         section["max_courant"] = flow.max_courant;
     } else {

@@ -71,8 +71,11 @@ void apply_case_to_foam(const std::filesystem::path& case_file,
     const Chain chain = run_chain(job, Stage::deploy, progress);
     progress.begin("export", "applying the resistance to the mesh");
     const FoamCaseOptions foam = job.exports.openfoam.value_or(FoamCaseOptions{});
-    const FoamApplication applied = apply_to_foam_case(
-        foam_case, chain.resistance, {.form = foam.form, .most_zones = foam.most_zones});
+    const FoamApplication applied =
+        apply_to_foam_case(foam_case, chain.resistance,
+                           {.form = foam.form,
+                            .most_zones = foam.most_zones,
+                            .shear_thinning = job.rheology.has_value()});
     progress.end();
 
     for (const std::string& warning : applied.warnings)

@@ -137,4 +137,13 @@ double mean_flow_rate(const FlowWaveform& waveform)
     return integral / period(waveform);
 }
 
+FlowWaveform scaled_to_mean(FlowWaveform waveform, double mean)
+{
+    const double factor = mean / mean_flow_rate(waveform);
+    for (double& flow_rate : waveform.flow_rates)
+        flow_rate *= factor;
+    waveform.scaled_to = mean;
+    return waveform;
+}
+
 }  // namespace braidzone

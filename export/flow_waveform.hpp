@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace braidzone {
@@ -10,6 +11,8 @@ struct FlowWaveform {
     std::filesystem::path file;      ///< that it was read from
     std::vector<double> times;       ///< increasing, from 0 to the period [s]
     std::vector<double> flow_rates;  ///< into the vessel; the last is the first [m^3/s]
+    std::optional<double> scaled_to =
+        {};  ///< mean that the file's flow rates are scaled to [m^3/s]
 };
 
 /// Reads a waveform from a CSV file of two columns with a header.
@@ -28,5 +31,9 @@ double period(const FlowWaveform& waveform);
 
 /// The mean flow rate over the period [m^3/s].
 double mean_flow_rate(const FlowWaveform& waveform);
+
+/// The same waveform with another mean.
+/// @param mean  [m^3/s]; > 0
+FlowWaveform scaled_to_mean(FlowWaveform waveform, double mean);
 
 }  // namespace braidzone

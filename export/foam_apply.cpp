@@ -137,8 +137,8 @@ FoamApplication apply_to_foam_case(const fs::path& foam_case, const ResistanceSh
     require_no_baffles(mesh, foam_case);
     require_metres(mesh, sheet);
     const CellResistance resistance = deposit(sheet, mesh, options.deposit);
-    const FoamDevice device =
-        make_foam_device(sheet, resistance, mesh, options.form, options.most_zones);
+    const FoamDevice device = make_foam_device(
+        sheet, resistance, mesh, {options.form, options.most_zones, options.shear_thinning});
     const std::vector<int> sac = find_sac(resistance, mesh);
     const FoamSacZones of_sac = sac_zones(sac, mesh);
 

@@ -14,6 +14,8 @@ struct FoamApplyOptions {
     FoamDepositOptions deposit = {};
     FoamForm form = FoamForm::zones;
     int most_zones = 64;  ///< see `cluster`
+    /// The case's fluid is shear-thinning: the resistance keeps the sheet's viscosity.
+    bool shear_thinning = false;
 };
 
 /// What `apply_to_foam_case` found and wrote.
@@ -46,7 +48,7 @@ struct FoamApplication {
 ///
 /// The fluid's density does not enter: D and F are properties of the sheet. The viscosity that the
 /// solver multiplies D with must be the sheet's; a warning says so if constant/transportProperties
-/// holds another one.
+/// holds another one. With `shear_thinning` it is written into the sources.
 ///
 /// @throws GeometryError if the mesh is more than 300 times as large as the device (millimetres
 /// taken

@@ -66,26 +66,37 @@ FoamDevice on_faces(const ResistanceSheet& sheet, const FoamMesh& mesh, int most
 }
 
 FoamDevice in_form(const ResistanceSheet& sheet, const CellResistance& resistance,
-                   const FoamMesh& mesh, FoamForm form, int most_zones)
+                   const FoamMesh& mesh, const FoamDeviceOptions& options)
 {
-    switch (form) {
+    switch (options.form) {
         case FoamForm::per_cell:
-            return in_cells(resistance, mesh, sheet.fluid, most_zones);
+            return in_cells(resistance, mesh, sheet.fluid, options.most_zones);
         case FoamForm::baffles:
-            return on_faces(sheet, mesh, most_zones);
+            return on_faces(sheet, mesh, options.most_zones);
         case FoamForm::zones:
             break;
     }
-    return in_zones(resistance, mesh, most_zones);
+    return in_zones(resistance, mesh, options.most_zones);
+}
+
+void keep_viscosity(FoamDevice& device, const Fluid& fluid)
+{
+    for (FoamPorousSource& source : device.sources)
+        if (source.viscosity_field.empty()) source.viscosity = fluid.viscosity / fluid.density;
+    if (!device.baffles.empty())
+        device.notes.push_back(
+            "blood is shear-thinning and baffles take the viscosity of the flow beside them, which "
+            "knows nothing of the shear between the wires: their resistance comes out too high");
 }
 
 }  // namespace
 
 FoamDevice make_foam_device(const ResistanceSheet& sheet, const CellResistance& resistance,
-                            const FoamMesh& mesh, FoamForm form, int most_zones)
+                            const FoamMesh& mesh, const FoamDeviceOptions& options)
 {
-    FoamDevice device = in_form(sheet, resistance, mesh, form, most_zones);
-    device.form = form;
+    FoamDevice device = in_form(sheet, resistance, mesh, options);
+    device.form = options.form;
+    if (options.shear_thinning) keep_viscosity(device, sheet.fluid);
     if (device.sources.empty() && device.baffles.empty())
         device.notes = {
             "the device meets no flow: it lies on the wall everywhere, and no zone is written"};

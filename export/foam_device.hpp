@@ -27,10 +27,15 @@ struct FoamDevice {
     std::vector<std::string> notes;  ///< what the user must know of the form
 };
 
+struct FoamDeviceOptions {
+    FoamForm form = FoamForm::zones;
+    int most_zones = 64;          ///< zones or groups of baffles, see `cluster`
+    bool shear_thinning = false;  ///< keep the sheet's viscosity, see `FoamPorousSource::viscosity`
+};
+
 /// @param resistance  the sheet's, as deposited on the mesh
-/// @param most_zones  zones or groups of baffles, see `cluster`
 /// @throws what `cluster` and `make_baffles` throw
 FoamDevice make_foam_device(const ResistanceSheet& sheet, const CellResistance& resistance,
-                            const FoamMesh& mesh, FoamForm form, int most_zones);
+                            const FoamMesh& mesh, const FoamDeviceOptions& options = {});
 
 }  // namespace braidzone

@@ -45,9 +45,9 @@ std::string turbulence_properties()
 std::string rheology_note(const Fluid& fluid)
 {
     return fmt::format(
-        "carreau-yasuda: the resistance D was found with the Newtonian fluid.viscosity = {:.6g} Pa "
-        "s; in porous zones OpenFOAM multiplies it with the local viscosity of the resolved flow, "
-        "which where that is slow is above the one between the wires",
+        "carreau-yasuda: between the wires the shear is high, and the resolved flow does not know "
+        "it: "
+        "the device's resistance keeps the Newtonian fluid.viscosity = {:.6g} Pa s",
         fluid.viscosity);
 }
 

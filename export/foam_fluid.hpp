@@ -16,7 +16,7 @@ std::string transport_properties(const Fluid& fluid,
 /// Text of constant/turbulenceProperties: laminar.
 std::string turbulence_properties();
 
-/// What shear-thinning blood means for a device in porous zones, for the user to read.
+/// Which viscosity a device in shear-thinning blood resists with, for the user to read.
 /// @param fluid  with the viscosity that the device's resistance was found with
 std::string rheology_note(const Fluid& fluid);
 

@@ -43,6 +43,25 @@ bool include_sources(const fs::path& file, const std::string& include)
     return true;
 }
 
+std::string model(const FoamPorousSource& source)
+{
+    if (source.viscosity)
+        return fmt::format(
+            "        type            fixedCoeff;  // nu = {}: alpha = nu D, beta = F / 2\n"
+            "        alpha           alpha [0 0 -1 0 0 0 0] {};\n"
+            "        beta            beta [0 -1 0 0 0 0 0] {};\n",
+            *source.viscosity, foam_vector(*source.viscosity * source.darcy),
+            foam_vector(0.5 * source.forchheimer));
+    std::string text = fmt::format(
+        "        type            DarcyForchheimer;\n"
+        "        d               d [0 -2 0 0 0 0 0] {};\n"
+        "        f               f [0 -1 0 0 0 0 0] {};\n",
+        foam_vector(source.darcy), foam_vector(source.forchheimer));
+    if (!source.viscosity_field.empty())
+        text += fmt::format("        nu              {};\n", source.viscosity_field);
+    return text;
+}
+
 }  // namespace
 
 std::string porous_sources(const std::vector<FoamPorousSource>& sources)
@@ -53,10 +72,6 @@ std::string porous_sources(const std::vector<FoamPorousSource>& sources)
     if (sources.empty()) text += "// No zone: the device meets no flow, or is not applied yet.\n";
     auto out = std::back_inserter(text);
     for (const FoamPorousSource& source : sources) {
-        const std::string viscosity =
-            source.viscosity_field.empty()
-                ? ""
-                : fmt::format("        nu              {};\n", source.viscosity_field);
         fmt::format_to(out, R"(
 {name}
 {{
@@ -66,10 +81,7 @@ std::string porous_sources(const std::vector<FoamPorousSource>& sources)
     {{
         selectionMode   cellZone;
         cellZone        {zone};
-        type            DarcyForchheimer;
-        d               d [0 -2 0 0 0 0 0] {d};
-        f               f [0 -1 0 0 0 0 0] {f};
-{viscosity}        coordinateSystem
+{model}        coordinateSystem
         {{
             type            cartesian;
             origin          (0 0 0);
@@ -84,9 +96,7 @@ std::string porous_sources(const std::vector<FoamPorousSource>& sources)
 }}
 )",
                        fmt::arg("name", source.name), fmt::arg("zone", source.cell_zone),
-                       fmt::arg("d", foam_vector(source.darcy)),
-                       fmt::arg("f", foam_vector(source.forchheimer)),
-                       fmt::arg("viscosity", viscosity), fmt::arg("e1", foam_vector(source.e1)),
+                       fmt::arg("model", model(source)), fmt::arg("e1", foam_vector(source.e1)),
                        fmt::arg("e2", foam_vector(some_perpendicular(source.e1))));
     }
     return text;

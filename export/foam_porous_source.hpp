@@ -3,6 +3,7 @@
 #include "core/vector.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,16 @@ struct FoamPorousSource {
     Vec3 e1 = Vec3::UnitX();          ///< unit
     /// Field that D is multiplied with in place of the fluid's kinematic viscosity; empty: that.
     std::string viscosity_field = {};
+    /// Kinematic viscosity that the resistance keeps whatever the fluid's [m^2/s]. A shear-thinning
+    /// fluid's is that of the resolved flow, which knows nothing of the shear between the wires.
+    /// The source then is of the model fixedCoeff, which has no viscosity:
+    ///
+    ///     S = -rho (alpha + beta |U|) U,   alpha = nu D, beta = F / 2
+    std::optional<double> viscosity = {};
 };
 
-/// Text of constant/fdPorosity: an `explicitPorositySource` with DarcyForchheimer for each source.
+/// Text of constant/fdPorosity: an `explicitPorositySource` with DarcyForchheimer (or
+/// fixedCoeff) for each source.
 ///
 /// The same text is read by openfoam.com (v1912: run; later: by its source) and by openfoam.org (8
 /// to 14: by its source), there also from constant/fvModels.

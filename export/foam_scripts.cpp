@@ -267,10 +267,10 @@ D belongs to the viscosity in `constant/transportProperties`: export again if th
 )md";
 
 constexpr const char* rheology_text = R"md(
-Blood is shear-thinning (Carreau-Yasuda; OpenFOAM's BirdCarreau). D was found with the Newtonian
-viscosity of the case file. The zones multiply it with the local viscosity of the resolved flow,
-S = -mu(shear) D U, which knows nothing of the much higher shear between the wires: where the flow
-near the device is slow, its resistance comes out too high.
+Blood is shear-thinning (Carreau-Yasuda; OpenFOAM's BirdCarreau). The device's resistance keeps the
+Newtonian viscosity of the case file (porous model fixedCoeff in place of DarcyForchheimer): between
+the wires the shear is high, and the resolved flow, whose viscosity a Darcy term would take, does not
+know it.
 )md";
 
 constexpr const char* zones_text = R"md(

@@ -72,6 +72,19 @@ TEST_F(FoamKeys, ReadAWaveformBesideTheCase)
     EXPECT_EQ(flow("waveform = \"flow.csv\"\n").cycles, 3);
 }
 
+// The mean of the file is 4.5 mL/s; its peak is a third above that.
+TEST_F(FoamKeys, ScaleAWaveformToAMean)
+{
+    const Case job = again(read("waveform = \"flow.csv\"\nmean_flow_rate = \"180 ml/min\"\n"));
+    const FlowWaveform& wave = *job.exports.openfoam->flow.waveform;
+    EXPECT_NEAR(mean_flow_rate(wave), 3e-6, 1e-20);
+    EXPECT_NEAR(wave.flow_rates[1], 4e-6, 1e-20);
+    EXPECT_EQ(message("waveform = \"flow.csv\"\nmean_flow_rate = \"0 ml/s\"\n"),
+              "case.toml:14: export.mean_flow_rate = 0 is out of range; it must be positive");
+    EXPECT_EQ(message("mean_flow_rate = \"3 ml/s\"\n"),
+              "case.toml:13: export.mean_flow_rate is for pulsatile flow; it needs a waveform");
+}
+
 TEST_F(FoamKeys, RefuseContradictionsAboutTheInflow)
 {
     EXPECT_EQ(message("waveform = \"flow.csv\"\ninlet_velocity = \"0.2 m/s\"\n"),
@@ -117,8 +130,9 @@ TEST_F(FoamKeys, RefuseOutletsThatCannotBe)
               "case.toml:13: export.outlet_shares sum to 0.9; they must sum to 1");
     EXPECT_EQ(message("outlet_pressures = [0]\n").substr(0, 38),
               "case.toml:13: export.outlet_pressures ");
-    EXPECT_EQ(message("outlet_pressure = [\"0 Pa\"]\n"),
-              "case.toml:13: export.outlet_pressure: unknown key; did you mean \"outlet_pressures\"?");
+    EXPECT_EQ(
+        message("outlet_pressure = [\"0 Pa\"]\n"),
+        "case.toml:13: export.outlet_pressure: unknown key; did you mean \"outlet_pressures\"?");
 }
 
 TEST_F(FoamKeys, ReadShearThinningBlood)

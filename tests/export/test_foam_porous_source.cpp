@@ -40,6 +40,18 @@ TEST(PorousSources, NamesAnotherViscosityField)
               std::string::npos);
 }
 
+// nu D = 4e-6 m^2/s times D, and half of F.
+TEST(PorousSources, KeepAViscosityWithFixedCoefficients)
+{
+    FoamPorousSource fixed = source;
+    fixed.viscosity = 4e-6;
+    const std::string text = porous_sources({fixed});
+    EXPECT_EQ(text.find("DarcyForchheimer"), std::string::npos);
+    EXPECT_NE(text.find("fixedCoeff;"), std::string::npos);
+    EXPECT_NE(text.find("alpha [0 0 -1 0 0 0 0] (1600 400 400);"), std::string::npos) << text;
+    EXPECT_NE(text.find("beta [0 -1 0 0 0 0 0] (2500 250 250);"), std::string::npos) << text;
+}
+
 TEST(WritePorousSources, MakesBothDictionaries)
 {
     const test::TemporaryFolder folder;

@@ -20,7 +20,7 @@ namespace {
 constexpr double cell = 0.1e-3;  // [m]
 constexpr int along = 60;
 constexpr double length = along * cell;
-constexpr double one = 0.1;  // period [s]
+constexpr double one = 0.1 / 1.07;  // period [s]; its twentieth has no short name
 const Fluid blood;
 
 /// 0.1 m/s and half of it up and down: not symmetric in time, and as a table.
@@ -111,7 +111,7 @@ TEST_F(OpenFoamPulsatile, PressureDropIsThatOfTheClosedForm)
         expected_mean += expected;
         ++count;
     }
-    EXPECT_NEAR(last, 2.0 * one, 1e-9);
+    EXPECT_NEAR(last, 2.0 * one, 1e-7);  // times are named with eight digits
     ASSERT_GE(count, 200);
     const double deviation = std::sqrt(squares / count);
     std::printf("%d steps; deviation %.3g Pa of %.3g Pa; mean %.6g Pa for %.6g Pa\n", count,

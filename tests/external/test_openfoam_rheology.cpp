@@ -1,6 +1,7 @@
 // Plane channel flow of Carreau-Yasuda blood against its closed form.
 
 #include "core/carreau_yasuda.hpp"
+#include "export/foam_apply.hpp"
 #include "external/foam_box_case.hpp"
 #include "external/openfoam.hpp"
 #include "support/foam_box.hpp"
@@ -108,6 +109,32 @@ TEST(OpenFoamRheology, ChannelLosesThePressureOfTheClosedForm)
     // Second order, with 16 cells across: some tenths of a percent.
     EXPECT_NEAR(gradient / expected, 1.0, 0.005);
     EXPECT_GT(expected, 1.2 * newtonian);  // else the test would not see the model
+}
+
+// Uniform flow, no shear: the solver's viscosity is that of blood at rest, 16 times the Newtonian
+// one. The sheet loses a v + b v^2 = 49 + 3.3 Pa all the same.
+TEST(OpenFoamRheology, DeviceKeepsItsViscosity)
+{
+    if (!test::has_openfoam()) GTEST_SKIP() << "simpleFoam is not installed";
+    const test::TemporaryFolder temporary;
+    const auto& folder = temporary.path();
+    constexpr double edge = 0.1e-3;
+    FoamFlow flow;
+    flow.inlet_velocity = 0.1;
+    flow.rheology = CarreauYasuda{};
+    const double area = edge * edge;
+    test::write_box_case(folder, test::foam_box({40, 1, 1}, edge),
+                         {{.name = "inlet", .area = area}, {.name = "outlet", .area = area}}, flow,
+                         blood);
+    test::let_slip(folder);
+    apply_to_foam_case(folder, test::flat_sheet(0, Vec3(20.23 * edge, 0, 0), edge, edge),
+                       {.deposit = {.kernel_half_width = 4.0}, .shear_thinning = true});
+    ASSERT_TRUE(test::allrun(folder, ""));
+    const double pressure =
+        blood.density *
+        test::last_row(folder / "postProcessing/inletPressure/0/surfaceFieldValue.dat").at(1);
+    std::printf("pressure drop %.5g Pa for 52.3 Pa\n", pressure);
+    EXPECT_NEAR(pressure / 52.3, 1.0, 0.02);  // 1.1 % is lost in eight cells across
 }
 
 }  // namespace
