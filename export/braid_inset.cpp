@@ -3,9 +3,11 @@
 #include "deploy/node_normals.hpp"
 #include "export/wire_path.hpp"
 
-#include <tbb/parallel_for.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace braidzone {
@@ -65,35 +67,114 @@ std::vector<Vec3> moved_inwards(const std::vector<Vec3>& nodes, const std::vecto
     return moved;
 }
 
-/// What is missing at the nodes themselves and along the stretches of wire between them, which is
-/// laid on the nodes at both ends.
-std::vector<double> missing_insets(const BraidLattice& lattice, const std::vector<Vec3>& nodes,
-                                   const std::vector<Vec3>& normals, const WallTree& wall,
-                                   double distance)
-{
-    constexpr int pieces = 6;
-    const std::vector<Wire> wires = wires_of(lattice);
-    std::vector<std::vector<double>> along(wires.size());
-    tbb::parallel_for(std::size_t{0}, wires.size(), [&](std::size_t i) {
-        const std::vector<Vec3> points = spline_along_wire(lattice, nodes, wires[i], pieces);
-        const std::vector<Vec3> directions = spline_along_wire(lattice, normals, wires[i], pieces);
-        for (std::size_t k = 0; k < points.size(); ++k)
-            along[i].push_back(
-                missing_inset(points[k], directions[k].normalized(), wall, distance));
-    });
-    std::vector<double> missing(nodes.size(), 0.0);
-    for (std::size_t i = 0; i < wires.size(); ++i) {
-        for (int ring = 0; ring < lattice.num_rings; ++ring) {
-            const int node = lattice.node(ring, column_of_wire(lattice, wires[i], ring));
-            const auto at = static_cast<std::size_t>(pieces * ring);
-            double& value = missing[static_cast<std::size_t>(node)];
-            const std::size_t first = ring > 0 ? at - (pieces - 1) : at;
-            const std::size_t last = std::min(at + pieces, along[i].size());
-            for (std::size_t k = first; k < last; ++k)
-                value = std::max(value, along[i][k]);
+/// A place between nodes of a braid: on a wire or on a rhombus.
+struct Place {
+    Vec3 point = Vec3::Zero();   ///< [m]
+    Vec3 normal = Vec3::Zero();  ///< of the braid, not unit
+};
+
+/// Raises what is missing at some nodes to what is missing at a place between them.
+class MissingInsets {
+public:
+    MissingInsets(std::vector<double>& missing, const WallTree& wall, double distance)
+        : missing_(missing), wall_(wall), distance_(distance)
+    {
+    }
+
+    template <std::size_t N>
+    void add(const Place& place, const std::array<int, N>& nodes)
+    {
+        const double inset =
+            missing_inset(place.point, place.normal.normalized(), wall_, distance_);
+        for (const int node : nodes) {
+            double& value = missing_[static_cast<std::size_t>(node)];
+            value = std::max(value, inset);
         }
     }
-    return missing;
+
+private:
+    std::vector<double>& missing_;
+    const WallTree& wall_;
+    double distance_ = 0.0;
+};
+
+/// True if one of the nodes has moved.
+template <std::size_t N>
+bool has_moved(const std::vector<char>& moved, const std::array<int, N>& nodes)
+{
+    return std::any_of(nodes.begin(), nodes.end(),
+                       [&](int node) { return moved[static_cast<std::size_t>(node)] != 0; });
+}
+
+/// What is missing along the wires, between each two crossings. Only stretches with a node that has
+/// moved are looked at.
+void add_along_wire(MissingInsets& missing, const BraidLattice& lattice, const InsetBraid& braid,
+                    Wire wire, const std::vector<char>& moved)
+{
+    constexpr int pieces = 6;
+    const std::vector<Vec3> points = spline_along_wire(lattice, braid.nodes, wire, pieces);
+    const std::vector<Vec3> normals = spline_along_wire(lattice, braid.normals, wire, pieces);
+    for (int ring = 0; ring + 1 < lattice.num_rings; ++ring) {
+        const std::array<int, 2> ends{
+            lattice.node(ring, column_of_wire(lattice, wire, ring)),
+            lattice.node(ring + 1, column_of_wire(lattice, wire, ring + 1))};
+        if (!has_moved(moved, ends)) continue;
+        for (int piece = 0; piece <= pieces; ++piece) {
+            const auto at = static_cast<std::size_t>(pieces * ring + piece);
+            missing.add({points[at], normals[at]}, ends);
+        }
+    }
+}
+
+/// What is missing on the triangles of the rhombi: in their middle and in that of their sides.
+void add_on_triangle(MissingInsets& missing, const InsetBraid& braid,
+                     const std::array<int, 3>& corners, const std::vector<char>& moved)
+{
+    if (!has_moved(moved, corners)) return;
+    const auto mean = [&](const std::vector<Vec3>& values, const Vec3& weights) -> Vec3 {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t i = 0; i < 3; ++i)
+            sum += weights[static_cast<Eigen::Index>(i)] *
+                   values[static_cast<std::size_t>(corners[i])];
+        return sum;
+    };
+    for (const Vec3& weights : {Vec3(1, 1, 1), Vec3(1, 1, 0), Vec3(0, 1, 1), Vec3(1, 0, 1)}) {
+        const Vec3 shares = weights / weights.sum();
+        missing.add({mean(braid.nodes, shares), mean(braid.normals, shares)}, corners);
+    }
+}
+
+std::vector<double> missing_insets(const BraidLattice& lattice, const InsetBraid& braid,
+                                   const WallTree& wall, double distance,
+                                   const std::vector<char>& moved)
+{
+    const std::vector<Wire> wires = wires_of(lattice);
+    const std::vector<std::array<int, 3>> triangles = rhombus_triangles(lattice);
+    const std::vector<double> none(braid.nodes.size(), 0.0);
+    using Range = tbb::blocked_range<std::size_t>;
+    const auto larger = [](std::vector<double> a, const std::vector<double>& b) {
+        for (std::size_t i = 0; i < a.size(); ++i)
+            a[i] = std::max(a[i], b[i]);
+        return a;
+    };
+    const std::vector<double> along_wires = tbb::parallel_reduce(
+        Range(0, wires.size()), none,
+        [&](const Range& range, std::vector<double> values) {
+            MissingInsets missing(values, wall, distance);
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+                add_along_wire(missing, lattice, braid, wires[i], moved);
+            return values;
+        },
+        larger);
+    return tbb::parallel_reduce(
+        Range(0, triangles.size(), triangles.size() / 16 + 1), along_wires,
+        [&](const Range& range, std::vector<double> values) {
+            MissingInsets missing(values, wall, distance);
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+                add_on_triangle(missing, braid, triangles[i], moved);
+            return values;
+        },
+        larger);
 }
 
 }  // namespace
@@ -105,19 +186,29 @@ InsetBraid inset_braid(const Deployment& deployment, const WallTree& wall, doubl
     const std::vector<std::vector<int>> neighbours = neighbours_of(lattice);
     InsetBraid braid{deployment.nodes, node_normals(lattice, deployment.nodes)};
     std::vector<double> insets(deployment.nodes.size(), 0.0);
-    // Once moved, other parts of a curved wall may be the nearest.
-    constexpr int most_moves = 10;
+    std::vector<char> moved(insets.size(), 1);
+    // Once moved, other parts of a curved wall may be the nearest; beside a wall that stands across
+    // the braid each move gains a part of what is missing only.
+    constexpr int most_moves = 40;
     for (int move = 0; move < most_moves; ++move) {
-        const std::vector<double> missing =
-            missing_insets(lattice, braid.nodes, braid.normals, wall, distance);
+        const std::vector<double> missing = missing_insets(lattice, braid, wall, distance, moved);
         if (*std::max_element(missing.begin(), missing.end()) < 0.005 * distance) break;
+        const std::vector<double> before = insets;
         for (std::size_t node = 0; node < insets.size(); ++node)
             insets[node] += missing[node];
         soften(insets, neighbours);
+        for (std::size_t node = 0; node < insets.size(); ++node)
+            moved[node] = insets[node] > before[node];
         braid.nodes = moved_inwards(deployment.nodes, braid.normals, insets);
     }
     braid.largest_inset = *std::max_element(insets.begin(), insets.end());
     return braid;
+}
+
+TriangleMesh inner_face(const BraidLattice& lattice, const InsetBraid& braid, double depth)
+{
+    const std::vector<double> depths(braid.nodes.size(), depth);
+    return {moved_inwards(braid.nodes, braid.normals, depths), rhombus_triangles(lattice)};
 }
 
 }  // namespace braidzone

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/triangle_mesh.hpp"
 #include "core/wall_tree.hpp"
 #include "deploy/deployment.hpp"
 
@@ -20,8 +21,14 @@ struct InsetBraid {
     double largest_inset = 0.0;  ///< [m]
 };
 
-/// @param distance  of the nodes, and of the wires between them, from the wall at least [m]; kept
-///                  within 1 % of it
+/// @param distance  of the nodes, of the wires between them and of the rhombi from the wall at
+/// least
+///                  [m]; kept within 1 % of it, but for walls that narrow faster than the braid
 InsetBraid inset_braid(const Deployment& deployment, const WallTree& wall, double distance);
+
+/// The inner side of a layer about an inset braid, normals to the wall: what a second device lies
+/// on.
+/// @param depth  from the braid to the inner side [m]
+TriangleMesh inner_face(const BraidLattice& lattice, const InsetBraid& braid, double depth);
 
 }  // namespace braidzone

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/triangle_mesh.hpp"
-#include "core/wall_tree.hpp"
-#include "deploy/deployment.hpp"
+#include "export/braid_inset.hpp"
 
 namespace braidzone {
 
@@ -10,15 +9,12 @@ namespace braidzone {
 /// voxels: two triangles a rhombus on each side, at half the thickness along the nodes' normals,
 /// and a strip along both rims. Normals point out of the solid.
 ///
-/// It is the device's skin without its pores. Where the device lies on the wall, the solid is moved
-/// inwards (`inset_braid`), so that it lies beside the wall and does not cut it.
+/// It is the device's skin without its pores. Where the braid is bent more sharply than its
+/// thickness, triangles may cross: `find_defects` tells.
 ///
-/// Where the braid is bent more sharply than its thickness, triangles may cross: `find_defects`
-/// tells.
-///
+/// @param braid      the deployed braid, from the wall by half the thickness at least
 /// @param thickness  [m]; > 0
-/// @param wall_gap   between the solid and the wall [m]; >= 0
-TriangleMesh make_device_shell(const Deployment& deployment, double thickness, const WallTree& wall,
-                               double wall_gap);
+TriangleMesh make_device_shell(const BraidLattice& lattice, const InsetBraid& braid,
+                               double thickness);
 
 }  // namespace braidzone

@@ -43,6 +43,7 @@ void write_frame(const std::filesystem::path& path, const BraidLattice& lattice,
     data->SetPoints(points);
     data->SetPolys(cells);
     add_flags(*data->GetPointData(), "released", released);
+    data->GetPointData()->SetActiveScalars("released");
     add_integers(*data->GetFieldData(), "step", {frame.step});
     add_units(*data, unit, {{"released", "1"}, {"step", "1"}});
     vtkNew<vtkXMLPolyDataWriter> writer;

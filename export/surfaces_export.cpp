@@ -3,7 +3,6 @@
 #include "core/error.hpp"
 #include "core/surface_check.hpp"
 #include "core/surface_io.hpp"
-#include "deploy/device_lining.hpp"
 #include "export/device_shell.hpp"
 #include "export/text_file.hpp"
 #include "export/vessel_distance.hpp"
@@ -106,22 +105,47 @@ double shell_thickness(const SurfaceDevice& device, const SurfacesOptions& optio
     return options.shell_thickness > 0.0 ? options.shell_thickness : 2.0 * device.wire_diameter;
 }
 
-void add_shell(SurfaceFiles& files, const SurfaceDevice& device, const WallTree& wall,
-               double wall_gap, const SurfacesOptions& options)
+/// A braid with room for a layer and a gap between it and what it lies on.
+InsetBraid with_room(const SurfaceDevice& device, const WallTree& wall, double half_of_layer)
+{
+    return inset_braid(device.deployment, wall, half_of_layer + gap_ratio * device.wire_diameter);
+}
+
+/// @return the inner side of the solid
+TriangleMesh add_shell(SurfaceFiles& files, const SurfaceDevice& device, const WallTree& wall,
+                       const SurfacesOptions& options)
 {
     const std::string name = device.prefix + "device.stl";
     const double thickness = shell_thickness(device, options);
-    const TriangleMesh shell = make_device_shell(device.deployment, thickness, wall, wall_gap);
+    const BraidLattice& lattice = device.deployment.lattice;
+    const InsetBraid braid = with_room(device, wall, 0.5 * thickness);
+    const TriangleMesh shell = make_device_shell(lattice, braid, thickness);
     files.add(name, shell)["thickness_m"] = thickness;
     note_defects(files.notes, name, shell);
+    return inner_face(lattice, braid, 0.5 * thickness);
 }
 
-void add_wires(SurfaceFiles& files, const SurfaceDevice& device, const WallTree& wall,
-               double wall_gap, const WireTubeOptions& options)
+void note_overlaps(SurfaceFiles& files, const std::string& name, const WireTubes& tubes,
+                   double wire_diameter)
+{
+    if (tubes.num_overlaps == 0) return;
+    const Vec3 place = tubes.least_gap_place / files.unit.metres;
+    files.notes.push_back(fmt::format(
+        "surfaces/{}: wires overlap in {} places, most at ({:.6g}, {:.6g}, {:.6g}) {} by {:.3g} of "
+        "their diameter: there they lie denser, or cross at a smaller angle, than round wires can",
+        name, tubes.num_overlaps, place.x(), place.y(), place.z(), files.unit.name,
+        -tubes.least_gap / wire_diameter));
+}
+
+/// @return the inner side of the layer that the wires take
+TriangleMesh add_wires(SurfaceFiles& files, const SurfaceDevice& device, const WallTree& wall,
+                       const WireTubeOptions& options)
 {
     const std::string name = device.prefix + "wires.stl";
-    const WireTubes tubes =
-        make_wire_tubes(device.deployment, device.wire_diameter, wall, wall_gap, options);
+    const double half_of_layer = half_thickness(options, device.wire_diameter);
+    const BraidLattice& lattice = device.deployment.lattice;
+    const InsetBraid braid = with_room(device, wall, half_of_layer);
+    const WireTubes tubes = make_wire_tubes(lattice, braid, device.wire_diameter, options);
     Json& entry = files.add(name, tubes.mesh);
     entry["num_solids"] = tubes.lines.size();
     entry["braid_pattern"] =
@@ -130,21 +154,8 @@ void add_wires(SurfaceFiles& files, const SurfaceDevice& device, const WallTree&
     entry["wire_length_m"] = tubes.length;
     entry["least_gap_m"] = tubes.least_gap;
     entry["num_overlaps"] = tubes.num_overlaps;
-    if (tubes.num_overlaps == 0) return;
-    const Vec3 place = tubes.least_gap_place / files.unit.metres;
-    files.notes.push_back(fmt::format(
-        "surfaces/{}: wires overlap in {} places, most at ({:.6g}, {:.6g}, {:.6g}) {} by {:.3g} of "
-        "their diameter: there they lie denser, or cross at a smaller angle, than round wires can",
-        name, tubes.num_overlaps, place.x(), place.y(), place.z(), files.unit.name,
-        -tubes.least_gap / device.wire_diameter));
-}
-
-/// How far a layer about a device reaches beyond the lining that a second one is deployed on, and
-/// on it from the wall: what the second one has to keep from the lining besides.
-double beyond_lining(const SurfaceDevice& device, double half_of_layer)
-{
-    const double lining = 2.0 * device.wire_diameter;
-    return std::max(0.0, 2.0 * half_of_layer + gap_ratio * device.wire_diameter - lining);
+    note_overlaps(files, name, tubes, device.wire_diameter);
+    return inner_face(lattice, braid, half_of_layer);
 }
 
 }  // namespace
@@ -195,19 +206,17 @@ std::vector<std::string> write_surfaces(const fs::path& folder, const Vessel& ve
         files.add("vessel.stl", lumen);
         note_defects(files.notes, "vessel.stl", lumen);
     }
-    std::optional<WallTree> lined_wall;
-    double beyond_shell = 0.0, beyond_wires = 0.0;
+    // A second device lies on what was written of the first.
+    std::optional<WallTree> under_shell, under_wires;
     for (const SurfaceDevice& device : devices) {
-        const WallTree& support = lined_wall ? *lined_wall : wall;
-        const double gap = gap_ratio * device.wire_diameter;
-        if (options.has(SurfacePart::device))
-            add_shell(files, device, support, gap + beyond_shell, options);
-        if (options.has(SurfacePart::wires))
-            add_wires(files, device, support, gap + beyond_wires, options.wires);
-        if (&device == &devices.back()) break;
-        lined_wall.emplace(vessel, inner_surface(device.deployment, device.wire_diameter));
-        beyond_shell = beyond_lining(device, 0.5 * shell_thickness(device, options));
-        beyond_wires = beyond_lining(device, half_thickness(options.wires, device.wire_diameter));
+        if (options.has(SurfacePart::device)) {
+            const WallTree& support = under_shell ? *under_shell : wall;
+            under_shell.emplace(vessel, add_shell(files, device, support, options));
+        }
+        if (options.has(SurfacePart::wires)) {
+            const WallTree& support = under_wires ? *under_wires : wall;
+            under_wires.emplace(vessel, add_wires(files, device, support, options.wires));
+        }
     }
     if (options.has(SurfacePart::distance)) {
         write_vessel_distance(folder / "vessel_distance.vdb", vessel, options.distance_spacing,

@@ -1,6 +1,5 @@
 #include "export/wire_tubes.hpp"
 
-#include "export/braid_inset.hpp"
 #include "export/wire_gap.hpp"
 #include "export/wire_path.hpp"
 
@@ -147,12 +146,9 @@ std::size_t num_wire_triangles(const BraidLattice& lattice, const WireTubeOption
     return wires * 2 * static_cast<std::size_t>(options.facets) * (pieces + 1);
 }
 
-WireTubes make_wire_tubes(const Deployment& deployment, double wire_diameter, const WallTree& wall,
-                          double wall_gap, const WireTubeOptions& options)
+WireTubes make_wire_tubes(const BraidLattice& lattice, const InsetBraid& braid,
+                          double wire_diameter, const WireTubeOptions& options)
 {
-    const BraidLattice& lattice = deployment.lattice;
-    const InsetBraid braid =
-        inset_braid(deployment, wall, half_thickness(options, wire_diameter) + wall_gap);
     const double height = crossing_height(options, wire_diameter);
     const std::vector<Wire> wires = wires_of(lattice);
     std::vector<WireLine> lines(wires.size());

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/triangle_mesh.hpp"
-#include "core/wall_tree.hpp"
-#include "deploy/deployment.hpp"
+#include "export/braid_inset.hpp"
 #include "export/braid_pattern.hpp"
 
 #include <cstddef>
@@ -51,15 +50,11 @@ std::size_t num_wire_triangles(const BraidLattice& lattice, const WireTubeOption
 /// about (pi h / a)^2 / 2 times the share of arms, of length a, between unlike
 /// crossings (1 / over).
 ///
-/// Where the device lies on the wall, the layer is moved inwards by half its thickness
-/// (`inset_braid`).
-///
 /// Wires of one family that are denser than their diameter, and crossings of such small angle that
 /// the wires meet beside them, overlap: `num_overlaps` counts it, nothing is changed.
 ///
-/// @param wall        that the device lies on; a second device's is lined with the first one
-/// @param wall_gap    between the layer and the wall [m]; >= 0
-WireTubes make_wire_tubes(const Deployment& deployment, double wire_diameter, const WallTree& wall,
-                          double wall_gap, const WireTubeOptions& options);
+/// @param braid  the deployed braid, from the wall by `half_thickness` at least
+WireTubes make_wire_tubes(const BraidLattice& lattice, const InsetBraid& braid,
+                          double wire_diameter, const WireTubeOptions& options);
 
 }  // namespace braidzone

@@ -15,6 +15,13 @@ namespace {
 class DeviceShell : public testing::Test {
 protected:
     DeviceShell() { device.nominal_length = 4e-3; }
+
+    TriangleMesh shell_of(const Deployment& braid, double thickness, const WallTree& tree) const
+    {
+        const InsetBraid inset = inset_braid(braid, tree, 0.5 * thickness + 1.5e-6);
+        return make_device_shell(braid.lattice, inset, thickness);
+    }
+
     FlowDiverter device = test::pipeline_4x20();
     Vessel vessel = test::tube_vessel(2e-3, 10e-3, 192);
     WallTree wall{vessel};
@@ -23,7 +30,7 @@ protected:
 TEST_F(DeviceShell, IsOneClosedSolidByCgal)
 {
     const Deployment braid = test::braid_on_cylinder(device, 1.7e-3, 0.1e-3, 8e-3);
-    const TriangleMesh shell = make_device_shell(braid, 60e-6, wall, 1.5e-6);
+    const TriangleMesh shell = shell_of(braid, 60e-6, wall);
     EXPECT_TRUE(border_loops(shell).empty());
     EXPECT_TRUE(is_sound(find_defects(shell))) << describe(find_defects(shell));
 }
@@ -37,14 +44,14 @@ TEST_F(DeviceShell, HoldsAreaTimesThickness)
     const Deployment braid = test::braid_on_cylinder(device, radius, spacing, 8e-3);
     const double height = spacing * (braid.lattice.num_rings - 2);
     const double volume = 2.0 * std::numbers::pi * radius * thickness * height;
-    const TriangleMesh shell = make_device_shell(braid, thickness, wall, 1.5e-6);
+    const TriangleMesh shell = shell_of(braid, thickness, wall);
     EXPECT_NEAR(enclosed_volume(shell), volume, 0.01 * volume);
 }
 
 TEST_F(DeviceShell, LiesBesideTheWallAndDoesNotCutIt)
 {
     const Deployment braid = test::braid_on_cylinder(device, 2e-3, 0.1e-3, 8e-3);
-    const TriangleMesh shell = make_device_shell(braid, 60e-6, wall, 1.5e-6);
+    const TriangleMesh shell = shell_of(braid, 60e-6, wall);
     for (const Vec3& point : shell.points) {
         ASSERT_TRUE(wall.contains(point));
         EXPECT_GT(wall.nearest(point).distance, 0.5e-6);
@@ -56,7 +63,7 @@ TEST_F(DeviceShell, OfAbsurdThicknessCrossesItself)
 {
     const WallTree wide(test::tube_vessel(9e-3, 20e-3));
     const Deployment braid = test::braid_on_cylinder(device, 2e-3, 0.1e-3, 8e-3);
-    EXPECT_FALSE(is_sound(find_defects(make_device_shell(braid, 5e-3, wide, 0.0))));
+    EXPECT_FALSE(is_sound(find_defects(shell_of(braid, 5e-3, wide))));
 }
 
 }  // namespace

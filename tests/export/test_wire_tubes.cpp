@@ -29,7 +29,9 @@ protected:
     {
         WireTubeOptions options;
         options.pattern.over = over;
-        return make_wire_tubes(deployment, device.wire_diameter, wall, 1.5e-6, options);
+        const double room = half_thickness(options, device.wire_diameter) + 1.5e-6;
+        return make_wire_tubes(deployment.lattice, inset_braid(deployment, wall, room),
+                               device.wire_diameter, options);
     }
 
     FlowDiverter device = test::pipeline_4x20();
