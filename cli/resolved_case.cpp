@@ -191,7 +191,8 @@ Json export_sections(const Exports& exports)
                             {"targets", names},
                             {"peak_velocity", format_quantity(exports.lattice->flow.peak_velocity,
                                                               Dimension::velocity)},
-                            {"velocity_lu", exports.lattice->flow.velocity_lu}});
+                            {"velocity_lu", exports.lattice->flow.velocity_lu},
+                            {"openings", name_of(exports.lattice->openings)}});
     }
     return sections;
 }

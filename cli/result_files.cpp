@@ -103,13 +103,37 @@ void write_foam(const Case& job, const Chain& chain, const fs::path& folder)
     write_case_copy(job, folder / "braidzone");
 }
 
+/// The node in the middle of each opening behind the device, and the way to it from its ring's hub.
+std::vector<NeckProbe> neck_probes(const Deployment& deployment,
+                                   const std::vector<WallOpening>& openings)
+{
+    std::vector<NeckProbe> probes;
+    for (const WallOpening& opening : openings) {
+        if (opening.nodes.empty()) continue;
+        const auto place = [&](int node) -> const Vec3& {
+            return deployment.nodes[static_cast<std::size_t>(node)];
+        };
+        Vec3 mean = Vec3::Zero();
+        for (const int node : opening.nodes)
+            mean += place(node) / static_cast<double>(opening.nodes.size());
+        // The mean itself lies off the sheet, which is curved.
+        const int middle = *std::min_element(
+            opening.nodes.begin(), opening.nodes.end(),
+            [&](int a, int b) { return (place(a) - mean).norm() < (place(b) - mean).norm(); });
+        const auto ring = static_cast<std::size_t>(middle / deployment.lattice.nodes_per_ring);
+        probes.push_back(
+            {place(middle), (place(middle) - deployment.rings[ring].origin).normalized()});
+    }
+    return probes;
+}
+
 std::vector<std::string> write_lattice_of(const Case& job, const Chain& chain,
                                           const fs::path& folder)
 {
     LatticeExportOptions options = *job.exports.lattice;
     options.inlet = inlet_of(chain);
-    return write_lattice(folder, make_lattice_nodes(*chain.field, chain.vessel, options.inlet),
-                         chain.vessel, job.fluid, options);
+    options.necks = neck_probes(chain.deployment, chain.openings);
+    return export_lattice(folder, *chain.field, chain.vessel, job.fluid, options);
 }
 
 }  // namespace
