@@ -1,6 +1,7 @@
 #include "cli/case_geometry.hpp"
 #include "cli/commands.hpp"
 #include "core/triangle_mesh.hpp"
+#include "export/lattice_cost.hpp"
 
 #include <fmt/format.h>
 
@@ -122,6 +123,19 @@ void print_resistance(const Case& job, const ResistanceSheet& sheet)
         fmt::print("  note: {}\n", warning);
 }
 
+void print_lattice(const Case& job, const Vessel& vessel, int inlet)
+{
+    const LatticeExportOptions& options = *job.exports.lattice;
+    const double spacing = job.deposit.spacing;
+    const ExtendedVessel extended = extend_openings(
+        vessel,
+        {.faces = options.openings, .inlet = inlet, .clearance = extension_clearance(spacing)});
+    fmt::print("lattice     {}\n",
+               describe(lattice_cost(extended.vessel, spacing, options.targets)));
+    for (const std::string& note : describe(extended.tubes, vessel))
+        fmt::print("  note: {}\n", note);
+}
+
 /// Voxels of the box around the device; the field's own grid has a small margin.
 double expected_voxels(const Deployment& deployment, double spacing)
 {
@@ -160,6 +174,7 @@ void check_case(const std::filesystem::path& case_file, const CommonOptions& opt
         lattice.num_rings, lattice.nodes_per_ring, chain.deployment.steps,
         progress.seconds("deploy"), 1e-6 * expected_voxels(chain.deployment, job.deposit.spacing),
         1e3 * job.deposit.spacing);
+    if (job.exports.lattice) print_lattice(job, chain.vessel, inlet_of(chain));
 }
 
 }  // namespace braidzone

@@ -87,12 +87,6 @@ void write_device_files(const fs::path& folder, const std::string& prefix,
     write_frames(path("frames.pvd"), deployment.lattice, deployment.frames, unit);
 }
 
-/// The opening where the centerline begins.
-int inlet_of(const Chain& chain)
-{
-    return nearest_opening(chain.vessel, chain.centerline.sections.front().origin);
-}
-
 void write_foam(const Case& job, const Chain& chain, const fs::path& folder)
 {
     FoamCaseOptions options = *job.exports.openfoam;
@@ -101,30 +95,6 @@ void write_foam(const Case& job, const Chain& chain, const fs::path& folder)
     options.case_file = "braidzone/case.toml";
     write_foam_case(folder, chain.vessel, chain.resistance, job.fluid, options);
     write_case_copy(job, folder / "braidzone");
-}
-
-/// The node in the middle of each opening behind the device, and the way to it from its ring's hub.
-std::vector<NeckProbe> neck_probes(const Deployment& deployment,
-                                   const std::vector<WallOpening>& openings)
-{
-    std::vector<NeckProbe> probes;
-    for (const WallOpening& opening : openings) {
-        if (opening.nodes.empty()) continue;
-        const auto place = [&](int node) -> const Vec3& {
-            return deployment.nodes[static_cast<std::size_t>(node)];
-        };
-        Vec3 mean = Vec3::Zero();
-        for (const int node : opening.nodes)
-            mean += place(node) / static_cast<double>(opening.nodes.size());
-        // The mean itself lies off the sheet, which is curved.
-        const int middle = *std::min_element(
-            opening.nodes.begin(), opening.nodes.end(),
-            [&](int a, int b) { return (place(a) - mean).norm() < (place(b) - mean).norm(); });
-        const auto ring = static_cast<std::size_t>(middle / deployment.lattice.nodes_per_ring);
-        probes.push_back(
-            {place(middle), (place(middle) - deployment.rings[ring].origin).normalized()});
-    }
-    return probes;
 }
 
 std::vector<std::string> write_lattice_of(const Case& job, const Chain& chain,

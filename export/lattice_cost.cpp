@@ -13,8 +13,8 @@ namespace braidzone {
 
 namespace {
 
-constexpr double memory_a_node = 1.3;          // [bytes]
-constexpr double memory_a_wall_piece = 100.0;  // of a spacing squared [bytes]
+constexpr double memory_a_node = 1.3;         // [bytes]
+constexpr double memory_a_wall_piece = 60.0;  // of a spacing squared [bytes]
 constexpr double gigabyte = 1e9;
 
 }  // namespace

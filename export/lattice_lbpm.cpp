@@ -105,6 +105,8 @@ Domain {{
 Greyscale {{
    FileVoxelPorosityMap = "porosity_f64.raw", "double"
    FileVoxelPermeabilityMap = "permeability_vox2_f64.raw", "double"
+   // The default, IMRT, diverges between two densities.
+   collision = "MRT"
    tau = {:.9g}
    F = 0.0, 0.0, 0.0
    din = {:.9g}

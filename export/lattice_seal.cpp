@@ -81,6 +81,29 @@ NeckSeal seal_of(const LatticeNodes& nodes, const Flood& flood, const NeckProbe&
 
 }  // namespace
 
+std::vector<NeckProbe> neck_probes(const Deployment& deployment,
+                                   const std::vector<WallOpening>& openings)
+{
+    std::vector<NeckProbe> probes;
+    for (const WallOpening& opening : openings) {
+        if (opening.nodes.empty()) continue;
+        const auto place = [&](int node) -> const Vec3& {
+            return deployment.nodes[static_cast<std::size_t>(node)];
+        };
+        Vec3 mean = Vec3::Zero();
+        for (const int node : opening.nodes)
+            mean += place(node) / static_cast<double>(opening.nodes.size());
+        // The mean itself lies off the sheet, which is curved.
+        const int middle = *std::min_element(
+            opening.nodes.begin(), opening.nodes.end(),
+            [&](int a, int b) { return (place(a) - mean).norm() < (place(b) - mean).norm(); });
+        const auto ring = static_cast<std::size_t>(middle / deployment.lattice.nodes_per_ring);
+        probes.push_back(
+            {place(middle), (place(middle) - deployment.rings[ring].origin).normalized()});
+    }
+    return probes;
+}
+
 std::string_view name_of(NeckSeal seal)
 {
     switch (seal) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "deploy/deployment.hpp"
+#include "deploy/neck.hpp"
 #include "export/lattice_nodes.hpp"
 
 #include <cstdint>
@@ -13,6 +15,11 @@ struct NeckProbe {
     Vec3 centre = Vec3::Zero();     ///< on the device [m]
     Vec3 outwards = Vec3::UnitX();  ///< unit
 };
+
+/// The node in the middle of each opening behind a device, and the way to it from its ring's hub;
+/// none for an opening without nodes.
+std::vector<NeckProbe> neck_probes(const Deployment& deployment,
+                                   const std::vector<WallOpening>& openings);
 
 /// Whether the device's nodes part what lies behind a neck from the parent vessel.
 enum class NeckSeal {
