@@ -130,8 +130,9 @@ void print_lattice(const Case& job, const Vessel& vessel, int inlet)
     const ExtendedVessel extended = extend_openings(
         vessel,
         {.faces = options.openings, .inlet = inlet, .clearance = extension_clearance(spacing)});
-    fmt::print("lattice     {}\n",
-               describe(lattice_cost(extended.vessel, spacing, options.targets)));
+    const LatticeCost cost = lattice_cost(extended.vessel, spacing, options.targets);
+    require_room(cost, room_at(job.file.parent_path()));
+    fmt::print("lattice     {}\n", describe(cost));
     for (const std::string& note : describe(extended.tubes, vessel))
         fmt::print("  note: {}\n", note);
 }

@@ -48,6 +48,13 @@ LatticeRoom room_at(const std::filesystem::path& folder)
 
 void require_room(const LatticeCost& cost, const LatticeRoom& room)
 {
+    if (!(cost.num_nodes() <= most_lattice_nodes)) {
+        const double fitting = cost.spacing * std::cbrt(cost.num_nodes() / most_lattice_nodes);
+        throw ConfigError(fmt::format(
+            "grid.spacing = {:.4g} mm gives a lattice of {}; at most {:.3g} nodes are allowed, as "
+            "with a spacing of {:.3g} mm",
+            1e3 * cost.spacing, describe(cost), most_lattice_nodes, 1e3 * fitting));
+    }
     if (!(cost.memory <= room.memory)) {
         // Both parts shrink at least with the square of the spacing.
         const double fitting = cost.spacing * std::sqrt(cost.memory / room.memory);

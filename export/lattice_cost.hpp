@@ -35,8 +35,8 @@ struct LatticeRoom {
 
 LatticeRoom room_at(const std::filesystem::path& folder);
 
-/// @throws ConfigError if a lattice needs more memory than there is, with the spacing that fits;
-///         IoError if it needs more disk
+/// @throws ConfigError if a lattice has more than `most_lattice_nodes` or needs more memory than
+///         there is, with the spacing that fits; IoError if it needs more disk
 void require_room(const LatticeCost& cost, const LatticeRoom& room);
 
 /// "411 x 203 x 187 = 1.56e+07 nodes, 0.1 GB of memory, 0.5 GB of disk".

@@ -14,9 +14,6 @@ namespace braidzone {
 
 namespace {
 
-/// Beyond, a lattice is no longer for a workstation, nor an array for HemoFlow's zip without its
-/// 64-bit form.
-constexpr double most_nodes = 5e8;
 constexpr int margin = 2;
 constexpr std::size_t most_openings = 246;
 
@@ -53,11 +50,11 @@ std::pair<Vec3, Vec3> node_range(const Vessel& vessel, double spacing)
 VoxelGrid grid_over(const Vessel& vessel, double spacing)
 {
     const Vec3 count = lattice_dims(vessel, spacing);
-    if (!(count.prod() <= most_nodes)) {
+    if (!(count.prod() <= most_lattice_nodes)) {
         throw ConfigError(fmt::format(
             "grid.spacing = {:.6g} mm gives a lattice of {:.0f} x {:.0f} x {:.0f} = {:.4g} nodes "
             "over the vessel; at most {:.4g} are allowed",
-            1e3 * spacing, count[0], count[1], count[2], count.prod(), most_nodes));
+            1e3 * spacing, count[0], count[1], count[2], count.prod(), most_lattice_nodes));
     }
     VoxelGrid grid;
     grid.spacing = spacing;

@@ -46,6 +46,10 @@ struct LatticeNodes {
     TangentialRatio tangential_ratio;
 };
 
+/// Beyond, a lattice is no longer for a workstation, nor an array for HemoFlow's zip without its
+/// 64-bit form.
+inline constexpr double most_lattice_nodes = 5e8;
+
 /// Nodes along each axis of a lattice over the vessel, two beyond it on all sides: whole numbers,
 /// of any size.
 Vec3 lattice_dims(const Vessel& vessel, double spacing);

@@ -45,6 +45,15 @@ TEST(RequireRoom, RefusesWithFigures)
                               "nodes, 4 GB of memory, 12 GB of disk; the machine has 1 GB"));
         EXPECT_THAT(error.what(), HasSubstr("a spacing of 0.04 mm fits"));
     }
+    cost.dims[0] = 8000.0;  // eight times as many nodes as are allowed: twice the spacing
+    try {
+        require_room(cost, {5e9, 13e9});
+        FAIL() << "nothing was thrown";
+    } catch (const ConfigError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("at most 5e+08 nodes are allowed, as with a spacing of "
+                                            "0.04 mm"));
+    }
+    cost.dims[0] = 1000.0;
     try {
         require_room(cost, {5e9, 2e9});
         FAIL() << "nothing was thrown";
