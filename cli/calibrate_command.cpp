@@ -1,8 +1,8 @@
 #include "cli/commands.hpp"
-#include "cli/file_hash.hpp"
 #include "cli/output_files.hpp"
 #include "cli/press_file.hpp"
 #include "cli/progress.hpp"
+#include "core/file_hash.hpp"
 #include "deploy/calibration.hpp"
 
 #include <fmt/format.h>

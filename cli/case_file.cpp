@@ -166,6 +166,16 @@ DepositOptions read_grid(const TomlTable& table)
     return options;
 }
 
+OpeningFaces read_opening_faces(const TomlTable& table)
+{
+    std::vector<std::string> names;
+    for (const OpeningFaces faces : all_opening_faces)
+        names.emplace_back(name_of(faces));
+    const std::string name = one_of(table, "openings", names.front(), names);
+    const auto found = std::find(names.begin(), names.end(), name);
+    return all_opening_faces[static_cast<std::size_t>(found - names.begin())];
+}
+
 LatticeExportOptions read_lattice_options(const TomlTable& table)
 {
     LatticeExportOptions options;
@@ -174,6 +184,7 @@ LatticeExportOptions read_lattice_options(const TomlTable& table)
     options.flow.velocity_lu = require_positive(
         table, "velocity_lu", table.number_or("velocity_lu", options.flow.velocity_lu),
         highest_velocity_lu);
+    options.openings = read_opening_faces(table);
     if (!table.has("targets")) return options;
     std::vector<std::string> names;
     for (const LatticeTarget target : all_lattice_targets())

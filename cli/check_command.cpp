@@ -3,6 +3,7 @@
 #include "core/triangle_mesh.hpp"
 #include "export/foam_boundary_conditions.hpp"
 #include "export/foam_fluid.hpp"
+#include "export/lattice_cost.hpp"
 
 #include <fmt/format.h>
 
@@ -127,15 +128,28 @@ void print_resistance(const Case& job, const ResistanceSheet& sheet)
 /// The flow of the OpenFOAM case, opening by opening.
 void print_flow(const FoamFlow& flow, const Chain& chain)
 {
-    const int inlet = nearest_opening(chain.vessel, chain.centerline.sections.front().origin);
     const char* label = "openfoam";
     int index = 0;
-    for (const FoamOpening& opening : foam_openings(chain.vessel, inlet, flow.outlets)) {
+    for (const FoamOpening& opening : foam_openings(chain.vessel, inlet_of(chain), flow.outlets)) {
         fmt::print("{:<11} {}, opening {}: {}\n", label, opening.name, index++,
                    opening_condition(opening, flow));
         label = "";
     }
     if (flow.waveform) fmt::print("  {} cycles of {:.6g} s\n", flow.cycles, period(*flow.waveform));
+}
+
+void print_lattice(const Case& job, const Vessel& vessel, int inlet)
+{
+    const LatticeExportOptions& options = *job.exports.lattice;
+    const double spacing = job.deposit.spacing;
+    const ExtendedVessel extended = extend_openings(
+        vessel,
+        {.faces = options.openings, .inlet = inlet, .clearance = extension_clearance(spacing)});
+    const LatticeCost cost = lattice_cost(extended.vessel, spacing, options.targets);
+    require_room(cost, room_at(job.file.parent_path()));
+    fmt::print("lattice     {}\n", describe(cost));
+    for (const std::string& note : describe(extended.tubes, vessel))
+        fmt::print("  note: {}\n", note);
 }
 
 /// Voxels of the box around the device; the field's own grid has a small margin.
@@ -178,6 +192,7 @@ void check_case(const std::filesystem::path& case_file, const CommonOptions& opt
         lattice.num_rings, lattice.nodes_per_ring, chain.deployment.steps,
         progress.seconds("deploy"), 1e-6 * expected_voxels(chain.deployment, job.deposit.spacing),
         1e3 * job.deposit.spacing);
+    if (job.exports.lattice) print_lattice(job, chain.vessel, inlet_of(chain));
 }
 
 }  // namespace braidzone

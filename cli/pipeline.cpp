@@ -92,6 +92,11 @@ Chain run_chain(const Case& job, Stage last, Progress& progress)
             std::move(second),     std::move(resistance), std::move(field)};
 }
 
+int inlet_of(const Chain& chain)
+{
+    return nearest_opening(chain.vessel, chain.centerline.sections.front().origin);
+}
+
 double wall_gap(const FlowDiverter& device)
 {
     return 3.0 * device.wire_diameter;

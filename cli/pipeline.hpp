@@ -49,6 +49,9 @@ struct Chain {
 /// @throws ConvergenceError if the deployment does not come to rest; else what the steps throw
 Chain run_chain(const Case& job, Stage last, Progress& progress);
 
+/// The vessel's opening where the centerline begins.
+int inlet_of(const Chain& chain);
+
 /// Distance from the wall above which a device counts as free of it [m]: three wire diameters,
 /// where its resistance acts in full (`ResistanceSheet::acting`).
 double wall_gap(const FlowDiverter& device);

@@ -264,7 +264,8 @@ Json export_sections(const Exports& exports)
                             {"targets", names},
                             {"peak_velocity", format_quantity(exports.lattice->flow.peak_velocity,
                                                               Dimension::velocity)},
-                            {"velocity_lu", exports.lattice->flow.velocity_lu}});
+                            {"velocity_lu", exports.lattice->flow.velocity_lu},
+                            {"openings", name_of(exports.lattice->openings)}});
     }
     if (exports.surfaces) sections.push_back(surfaces_section(*exports.surfaces));
     return sections;

@@ -96,12 +96,6 @@ void write_device_files(const fs::path& folder, const std::string& prefix,
     write_frames(path("frames.pvd"), deployment.lattice, deployment.frames, unit);
 }
 
-/// The opening where the centerline begins.
-int inlet_of(const Chain& chain)
-{
-    return nearest_opening(chain.vessel, chain.centerline.sections.front().origin);
-}
-
 /// Returns what the user should know about the export.
 std::vector<std::string> write_foam(const Case& job, const Chain& chain, const fs::path& folder)
 {
@@ -121,9 +115,9 @@ std::vector<std::string> write_lattice_of(const Case& job, const Chain& chain,
 {
     LatticeExportOptions options = *job.exports.lattice;
     options.inlet = inlet_of(chain);
+    options.necks = neck_probes(chain.deployment, chain.openings);
     std::vector<std::string> notes =
-        write_lattice(folder, make_lattice_nodes(*chain.field, chain.vessel, options.inlet),
-                      chain.vessel, job.fluid, options);
+        export_lattice(folder, *chain.field, chain.vessel, job.fluid, options);
     if (job.rheology) {
         notes.push_back(
             "lattice/ is for a Newtonian fluid of fluid.viscosity; fluid.rheology is for OpenFOAM "

@@ -1,9 +1,9 @@
 #include "cli/summary.hpp"
 
 #include "cli/case_hash.hpp"
-#include "cli/file_hash.hpp"
 #include "cli/library_versions.hpp"
 #include "cli/resolved_case.hpp"
+#include "core/file_hash.hpp"
 #include "deploy/deployment_measures.hpp"
 #include "deploy/wire_stretch.hpp"
 #include "porous/braid_surface.hpp"

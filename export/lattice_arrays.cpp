@@ -1,12 +1,11 @@
 #include "export/lattice_arrays.hpp"
 
-#include "core/error.hpp"
+#include "export/binary_file.hpp"
 #include "export/npy_header.hpp"
+#include "export/resisting_planes.hpp"
 
 #include <fmt/format.h>
 
-#include <bit>
-#include <fstream>
 #include <functional>
 #include <string>
 
@@ -14,39 +13,7 @@ namespace braidzone {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little);
-
-/// Values of one z are written at once.
-class PlaneFile {
-public:
-    explicit PlaneFile(const std::filesystem::path& path)
-        : path_(path), file_(path, std::ios::binary)
-    {
-    }
-
-    void write(const char* bytes, std::size_t count)
-    {
-        file_.write(bytes, static_cast<std::streamsize>(count));
-    }
-
-    template <typename Value>
-    void write(const std::vector<Value>& values)
-    {
-        write(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value));
-    }
-
-    void close()
-    {
-        file_.close();
-        if (!file_) throw IoError(fmt::format("{} cannot be written", path_.string()));
-    }
-
-private:
-    std::filesystem::path path_;
-    std::ofstream file_;
-};
-
-std::string shape_of(const VoxelGrid& grid)
+std::string shape_text(const VoxelGrid& grid)
 {
     return fmt::format("{}, {}, {}", grid.dims[0], grid.dims[1], grid.dims[2]);
 }
@@ -63,42 +30,33 @@ void write_sparse(const std::filesystem::path& path, const LatticeNodes& nodes, 
                   const std::function<double(std::size_t, int)>& value)
 {
     const auto components = static_cast<std::size_t>(num_components);
-    PlaneFile file(path);
+    BinaryFile file(path);
     const std::string shape = components == 1
-                                  ? shape_of(nodes.grid)
-                                  : fmt::format("{}, {}", num_components, shape_of(nodes.grid));
-    const std::string header = npy_header("<f4", shape, NpyOrder::first_fastest);
-    file.write(header.data(), header.size());
-    const std::size_t in_plane = plane_size(nodes.grid);
-    std::size_t next = 0;
+                                  ? shape_text(nodes.grid)
+                                  : fmt::format("{}, {}", num_components, shape_text(nodes.grid));
+    file.write(npy_header("<f4", shape, NpyOrder::first_fastest));
+    const ResistingPlanes planes(nodes, 2);
     for (int k = 0; k < nodes.grid.dims[2]; ++k) {
-        std::vector<float> plane(components * in_plane, 0.0F);
-        const std::size_t first = static_cast<std::size_t>(k) * in_plane;
-        for (; next < nodes.resisting.size() &&
-               static_cast<std::size_t>(nodes.resisting[next]) < first + in_plane;
-             ++next) {
-            const std::size_t place = static_cast<std::size_t>(nodes.resisting[next]) - first;
+        std::vector<float> plane(components * plane_size(nodes.grid), 0.0F);
+        for (const std::size_t i : planes.in_plane(k)) {
+            const std::size_t place =
+                static_cast<std::size_t>(nodes.resisting[i]) - nodes.grid.index(0, 0, k);
             for (int c = 0; c < num_components; ++c)
                 plane[components * place + static_cast<std::size_t>(c)] =
-                    static_cast<float>(value(next, c));
+                    static_cast<float>(value(i, c));
         }
         file.write(plane);
     }
     file.close();
 }
 
-bool is_open(std::uint8_t type)
-{
-    return type >= static_cast<std::uint8_t>(NodeType::fluid);
-}
-
 }  // namespace
 
-void write_lattice_arrays(const std::filesystem::path& folder, const LatticeNodes& nodes)
+std::vector<LatticeFile> write_lattice_arrays(const std::filesystem::path& folder,
+                                              const LatticeNodes& nodes)
 {
-    PlaneFile types(folder / "cell_type.npy");
-    const std::string header = npy_header("|u1", shape_of(nodes.grid), NpyOrder::first_fastest);
-    types.write(header.data(), header.size());
+    BinaryFile types(folder / "cell_type.npy");
+    types.write(npy_header("|u1", shape_text(nodes.grid), NpyOrder::first_fastest));
     types.write(nodes.type);
     types.close();
     write_sparse(folder / "darcy.npy", nodes, 1,
@@ -107,11 +65,19 @@ void write_lattice_arrays(const std::filesystem::path& folder, const LatticeNode
                  [&](std::size_t i, int) { return nodes.forchheimer[i]; });
     write_sparse(folder / "normal.npy", nodes, 3,
                  [&](std::size_t i, int c) { return nodes.normal[i][c]; });
+    const std::vector<int> shape = shape_of(nodes.grid.dims);
+    std::vector<int> vector_shape{3};
+    vector_shape.insert(vector_shape.end(), shape.begin(), shape.end());
+    const char* order = "first index fastest";
+    return {{"cell_type.npy", "uint8", shape, order},
+            {"darcy.npy", "float32 [1/m^2]", shape, order},
+            {"forchheimer.npy", "float32 [1/m]", shape, order},
+            {"normal.npy", "float32", vector_shape, order}};
 }
 
-void write_palabos_geometry(const std::filesystem::path& path, const LatticeNodes& nodes)
+LatticeFile write_palabos_geometry(const std::filesystem::path& path, const LatticeNodes& nodes)
 {
-    PlaneFile file(path);
+    BinaryFile file(path);
     const auto& [nx, ny, nz] = nodes.grid.dims;
     for (int i = 0; i < nx; ++i) {
         std::string text;
@@ -123,14 +89,15 @@ void write_palabos_geometry(const std::filesystem::path& path, const LatticeNode
                 text += k + 1 < nz ? ' ' : '\n';
             }
         }
-        file.write(text.data(), text.size());
+        file.write(text);
     }
     file.close();
+    return {path.filename(), "integers in text", shape_of(nodes.grid.dims), "last index fastest"};
 }
 
-void write_walberla_mask(const std::filesystem::path& path, const LatticeNodes& nodes)
+LatticeFile write_walberla_mask(const std::filesystem::path& path, const LatticeNodes& nodes)
 {
-    PlaneFile file(path);
+    BinaryFile file(path);
     const std::size_t in_plane = plane_size(nodes.grid);
     for (std::size_t first = 0; first < nodes.type.size(); first += in_plane) {
         std::vector<char> plane;
@@ -140,6 +107,7 @@ void write_walberla_mask(const std::filesystem::path& path, const LatticeNodes& 
         file.write(plane);
     }
     file.close();
+    return {path.filename(), "uint8", shape_of(nodes.grid.dims), "first index fastest"};
 }
 
 }  // namespace braidzone

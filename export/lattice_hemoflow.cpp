@@ -1,7 +1,9 @@
 #include "export/lattice_hemoflow.hpp"
 
 #include "core/error.hpp"
+#include "export/node_box.hpp"
 #include "export/npy_header.hpp"
+#include "export/resisting_planes.hpp"
 #include "export/text_file.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +14,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -22,75 +23,7 @@ namespace braidzone {
 
 namespace {
 
-constexpr double weight_scale = 1000.0;         // S
-constexpr double hemoflow_viscosity = 3.22e-6;  // kinematic [m^2/s], its nuInf
-constexpr double hemoflow_velocity_lu = 0.05;   // its U_AVG_LB
-constexpr double most_drag_lu = 0.9;            // above, its explicit force diverges
-
-/// A part of the lattice: from the first node to the last one along each axis.
-struct NodeBox {
-    std::array<int, 3> first{}, last{};
-};
-
-/// The box whose faces the openings lie on.
-NodeBox box_with_flat_openings(const LatticeNodes& nodes, const Vessel& vessel)
-{
-    NodeBox box;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        box.last[axis] = nodes.grid.dims[axis] - 1;
-    for (const LatticeOpening& entry : nodes.openings) {
-        std::array<int, 3> lowest, highest;
-        lowest.fill(std::numeric_limits<int>::max());
-        highest.fill(-1);
-        for (std::size_t node = 0; node < nodes.type.size(); ++node) {
-            if (nodes.type[node] != entry.code) continue;
-            const std::array<int, 3> place = place_of(nodes.grid, static_cast<std::int64_t>(node));
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                lowest[axis] = std::min(lowest[axis], place[axis]);
-                highest[axis] = std::max(highest[axis], place[axis]);
-            }
-        }
-        const Opening& opening = vessel.openings[static_cast<std::size_t>(entry.opening)];
-        Eigen::Index direction = 0;
-        const double along = opening.normal.cwiseAbs().maxCoeff(&direction);
-        const auto axis = static_cast<std::size_t>(direction);
-        if (lowest[axis] != highest[axis]) {
-            throw ConfigError(fmt::format(
-                "export.targets: hemoflow wants openings flat on the faces of the box; that at "
-                "({:.4g}, {:.4g}, {:.4g}) mm is turned by {:.2g} degrees from an axis. Turn the "
-                "vessel, or leave this target out",
-                1e3 * opening.centre[0], 1e3 * opening.centre[1], 1e3 * opening.centre[2],
-                std::acos(std::min(1.0, along)) * 180.0 / std::numbers::pi));
-        }
-        (opening.normal[direction] < 0.0 ? box.first : box.last)[axis] = lowest[axis];
-    }
-    return box;
-}
-
-/// Calls visit(node) for every node of a box, z fastest, x slowest.
-template <typename Visit>
-void for_each_node(const LatticeNodes& nodes, const NodeBox& box, Visit visit)
-{
-    for (int i = box.first[0]; i <= box.last[0]; ++i)
-        for (int j = box.first[1]; j <= box.last[1]; ++j)
-            for (int k = box.first[2]; k <= box.last[2]; ++k)
-                visit(nodes.grid.index(i, j, k));
-}
-
-void require_fluid_inside(const LatticeNodes& nodes, const NodeBox& box)
-{
-    std::size_t inside = 0;
-    for_each_node(nodes, box, [&](std::size_t node) {
-        inside += nodes.type[node] == static_cast<std::uint8_t>(NodeType::fluid);
-    });
-    const auto all = static_cast<std::size_t>(std::count(
-        nodes.type.begin(), nodes.type.end(), static_cast<std::uint8_t>(NodeType::fluid)));
-    if (inside == all) return;
-    throw ConfigError(fmt::format(
-        "export.targets: hemoflow wants openings on the faces of the box, but {} of {} fluid nodes "
-        "lie beyond one; leave this target out",
-        all - inside, all));
-}
+constexpr double weight_scale = 1000.0;  // S
 
 /// A zip archive; what is not closed is no archive.
 class Archive {
@@ -112,27 +45,38 @@ public:
     void add(const char* name, const char* type, const std::string& shape,
              const std::vector<Value>& values)
     {
-        const std::string header = npy_header(type, shape, NpyOrder::last_fastest);
+        begin(name, type, shape);
+        write(values);
+        end();
+    }
+
+    /// Begins an array whose values follow by `write`, the last index fastest.
+    void begin(const char* name, const char* type, const std::string& shape)
+    {
         const zip_fileinfo no_date{};
         constexpr int fastest = 1;
-        bool good =
-            zipOpenNewFileInZip(file_, fmt::format("{}.npy", name).c_str(), &no_date, nullptr, 0,
-                                nullptr, 0, nullptr, Z_DEFLATED, fastest) == ZIP_OK;
-        good = good && write(header.data(), header.size());
-        good = good && write(values.data(), values.size() * sizeof(Value));
-        good = good && zipCloseFileInZip(file_) == ZIP_OK;
-        if (!good) fail();
+        const std::string file = fmt::format("{}.npy", name);
+        require(zipOpenNewFileInZip(file_, file.c_str(), &no_date, nullptr, 0, nullptr, 0, nullptr,
+                                    Z_DEFLATED, fastest));
+        const std::string header = npy_header(type, shape, NpyOrder::last_fastest);
+        require(zipWriteInFileInZip(file_, header.data(), static_cast<unsigned>(header.size())));
     }
 
-    void close()
+    template <typename Value>
+    void write(const std::vector<Value>& values)
     {
-        if (zipClose(std::exchange(file_, nullptr), nullptr) != ZIP_OK) fail();
+        const auto num_bytes = static_cast<unsigned>(values.size() * sizeof(Value));
+        require(zipWriteInFileInZip(file_, values.data(), num_bytes));
     }
+
+    void end() { require(zipCloseFileInZip(file_)); }
+
+    void close() { require(zipClose(std::exchange(file_, nullptr), nullptr)); }
 
 private:
-    bool write(const void* bytes, std::size_t count)
+    void require(int status) const
     {
-        return zipWriteInFileInZip(file_, bytes, static_cast<unsigned>(count)) == ZIP_OK;
+        if (status != ZIP_OK) fail();
     }
     [[noreturn]] void fail() const
     {
@@ -155,27 +99,58 @@ SheetLoss mean_loss(const LatticeNodes& nodes, const Fluid& fluid)
             0.5 * fluid.density * sum(nodes.forchheimer) / area};
 }
 
-/// Weights of the resisting nodes, 0 elsewhere.
-std::vector<std::uint16_t> weights_of(const LatticeNodes& nodes, const NodeBox& box,
-                                      const Fluid& fluid, const SheetLoss& loss)
+std::uint16_t weight_of(double darcy, const LatticeNodes& nodes, const Fluid& fluid,
+                        const SheetLoss& loss)
 {
-    std::vector<std::uint16_t> of_node(nodes.type.size(), 0), weights;
-    for (std::size_t i = 0; i < nodes.resisting.size(); ++i) {
-        const double weight = weight_scale * fluid.viscosity * nodes.darcy[i] * nodes.grid.spacing /
-                              std::max(loss.linear, 1e-300);
-        of_node[static_cast<std::size_t>(nodes.resisting[i])] = static_cast<std::uint16_t>(
-            std::min(std::round(weight), double{std::numeric_limits<std::uint16_t>::max()}));
+    if (!(loss.linear > 0.0)) return 0;
+    const double weight = weight_scale * fluid.viscosity * darcy * nodes.grid.spacing / loss.linear;
+    constexpr double most = std::numeric_limits<std::uint16_t>::max();
+    if (!(weight <= most)) {
+        throw ConfigError(fmt::format(
+            "export.targets: hemoflow holds weights up to {:.0f}, but a node has {:.4g} times the "
+            "mean resistance of the device, {:.4g} at most; leave this target out",
+            most, weight / weight_scale, most / weight_scale));
     }
-    for_each_node(nodes, box, [&](std::size_t node) { weights.push_back(of_node[node]); });
-    return weights;
+    return static_cast<std::uint16_t>(std::lround(weight));
+}
+
+/// Types and weights, both x slowest and z fastest, plane by plane.
+void add_node_arrays(Archive& archive, const LatticeNodes& nodes, const NodeBox& box,
+                     const Fluid& fluid, const SheetLoss& loss)
+{
+    const auto& [nx, ny, nz] = box.dims();
+    const std::string shape = fmt::format("{}, {}, {}", nx, ny, nz);
+    const auto place_in_plane = [&](int j, int k) {
+        return static_cast<std::size_t>((j - box.first[1]) * nz + k - box.first[2]);
+    };
+    std::vector<std::uint16_t> plane(static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz));
+    archive.begin("geometryFlag", "<u2", shape);
+    for (int i = box.first[0]; i <= box.last[0]; ++i) {
+        for (int j = box.first[1]; j <= box.last[1]; ++j)
+            for (int k = box.first[2]; k <= box.last[2]; ++k)
+                plane[place_in_plane(j, k)] = nodes.type[nodes.grid.index(i, j, k)];
+        archive.write(plane);
+    }
+    archive.end();
+    const ResistingPlanes planes(nodes, 0);
+    archive.begin("stent", "<u2", shape);
+    for (int i = box.first[0]; i <= box.last[0]; ++i) {
+        std::fill(plane.begin(), plane.end(), std::uint16_t{0});
+        for (const std::size_t node : planes.in_plane(i)) {
+            const std::array<int, 3> place = place_of(nodes.grid, nodes.resisting[node]);
+            plane[place_in_plane(place[1], place[2])] =
+                weight_of(nodes.darcy[node], nodes, fluid, loss);
+        }
+        archive.write(plane);
+    }
+    archive.end();
 }
 
 void write_archive(const std::filesystem::path& path, const LatticeNodes& nodes,
-                   const Vessel& vessel, const NodeBox& box,
-                   const std::vector<std::uint16_t>& weights)
+                   const Vessel& vessel, const NodeBox& box, const Fluid& fluid,
+                   const SheetLoss& loss)
 {
-    std::vector<std::uint16_t> flags, indices;
-    for_each_node(nodes, box, [&](std::size_t node) { flags.push_back(nodes.type[node]); });
+    std::vector<std::uint16_t> indices;
     std::vector<double> radii, ratios, centres, tangents;
     double outflow = 0.0;
     for (const LatticeOpening& entry : nodes.openings)
@@ -194,14 +169,10 @@ void write_archive(const std::filesystem::path& path, const LatticeNodes& nodes,
             tangents.push_back(is_inlet ? -opening.normal[axis] : opening.normal[axis]);
         }
     }
-    const std::string grid =
-        fmt::format("{}, {}, {}", box.last[0] - box.first[0] + 1, box.last[1] - box.first[1] + 1,
-                    box.last[2] - box.first[2] + 1);
     const std::string list = fmt::format("{},", indices.size());
     const std::string vectors = fmt::format("{}, 3", indices.size());
     Archive archive(path);
-    archive.add("geometryFlag", "<u2", grid, flags);
-    archive.add("stent", "<u2", grid, weights);
+    add_node_arrays(archive, nodes, box, fluid, loss);
     archive.add("dx", "<f8", "1,", std::vector<double>{nodes.grid.spacing});
     archive.add("openingIndex", "<u2", list, indices);
     archive.add("openingRadius", "<f8", list, radii);
@@ -213,24 +184,24 @@ void write_archive(const std::filesystem::path& path, const LatticeNodes& nodes,
 
 }  // namespace
 
-void write_hemoflow(const std::filesystem::path& folder, const LatticeNodes& nodes,
-                    const Vessel& vessel, const Fluid& fluid, const LatticeFlowOptions& flow)
+std::vector<LatticeFile> write_hemoflow(const std::filesystem::path& folder,
+                                        const LatticeNodes& nodes, const Vessel& vessel,
+                                        const Fluid& fluid, const LatticeFlowOptions& flow)
 {
-    const NodeBox box = box_with_flat_openings(nodes, vessel);
-    require_fluid_inside(nodes, box);
+    const NodeBox box = box_between_openings(nodes, vessel, "hemoflow").box;
     const double mean_velocity = 0.5 * flow.peak_velocity;
     const double time_step = hemoflow_velocity_lu * nodes.grid.spacing / mean_velocity;
     const double largest =
         nodes.darcy.empty() ? 0.0 : *std::max_element(nodes.darcy.begin(), nodes.darcy.end());
     const double drag_lu = fluid.viscosity / fluid.density * largest * time_step;
-    if (!(drag_lu < most_drag_lu)) {
+    if (!(drag_lu < hemoflow_most_drag_lu)) {
         throw ConfigError(fmt::format(
             "export.targets: hemoflow's explicit force diverges with a drag of {:.3g} a time step; "
             "allowed is less than {:.3g}; a peak_velocity above {:.3g} m/s gives shorter steps",
-            drag_lu, most_drag_lu, flow.peak_velocity * drag_lu / most_drag_lu));
+            drag_lu, hemoflow_most_drag_lu, flow.peak_velocity * drag_lu / hemoflow_most_drag_lu));
     }
     const SheetLoss loss = mean_loss(nodes, fluid);
-    write_archive(folder / "case.npz", nodes, vessel, box, weights_of(nodes, box, fluid, loss));
+    write_archive(folder / "case.npz", nodes, vessel, box, fluid, loss);
     const Opening& inlet =
         vessel.openings[static_cast<std::size_t>(nodes.openings.front().opening)];
     write_text_file(folder / "setup.xml",
@@ -258,6 +229,10 @@ void write_hemoflow(const std::filesystem::path& folder, const LatticeNodes& nod
                                 loss.linear / weight_scale, loss.quadratic / weight_scale));
     // Steady: the same factor at both ends of a second.
     write_text_file(folder / "flow.txt", "2\n0 1\n1 1\n");
+    return {{"case.npz", "zip of NumPy arrays: geometryFlag and stent uint16, openings",
+             shape_of(box.dims()), "last index fastest"},
+            {"setup.xml", "text", {}, ""},
+            {"flow.txt", "text", {}, ""}};
 }
 
 }  // namespace braidzone

@@ -8,13 +8,12 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace braidzone {
 
 namespace {
 
-/// A byte each and the writers' buffers: what a workstation holds.
-constexpr double most_nodes = 5e8;
 constexpr int margin = 2;
 constexpr std::size_t most_openings = 246;
 
@@ -38,23 +37,28 @@ constexpr std::array<std::array<int, 3>, 18> links{{{1, 0, 0},
                                                     {0, 1, -1},
                                                     {0, -1, 1}}};
 
-/// The grid over the whole vessel whose nodes coincide with another grid's.
-VoxelGrid grid_over(const Vessel& vessel, double spacing)
+/// The first and the last node over the whole vessel, in spacings: nodes lie on its multiples, as
+/// those of every field.
+std::pair<Vec3, Vec3> node_range(const Vessel& vessel, double spacing)
 {
     const Box box = bounding_box(vessel.wall);
     const Vec3 room = Vec3::Constant(margin);
-    const Vec3 first = (box.lower / spacing).array().floor().matrix() - room;
-    const Vec3 last = (box.upper / spacing).array().ceil().matrix() + room;
-    const Vec3 count = last - first + Vec3::Ones();
-    if (!(count.prod() <= most_nodes)) {
+    return {(box.lower / spacing).array().floor().matrix() - room,
+            (box.upper / spacing).array().ceil().matrix() + room};
+}
+
+VoxelGrid grid_over(const Vessel& vessel, double spacing)
+{
+    const Vec3 count = lattice_dims(vessel, spacing);
+    if (!(count.prod() <= most_lattice_nodes)) {
         throw ConfigError(fmt::format(
             "grid.spacing = {:.6g} mm gives a lattice of {:.0f} x {:.0f} x {:.0f} = {:.4g} nodes "
             "over the vessel; at most {:.4g} are allowed",
-            1e3 * spacing, count[0], count[1], count[2], count.prod(), most_nodes));
+            1e3 * spacing, count[0], count[1], count[2], count.prod(), most_lattice_nodes));
     }
     VoxelGrid grid;
     grid.spacing = spacing;
-    grid.origin = spacing * first;
+    grid.origin = spacing * node_range(vessel, spacing).first;
     grid.dims = {static_cast<int>(count[0]), static_cast<int>(count[1]),
                  static_cast<int>(count[2])};
     return grid;
@@ -221,6 +225,12 @@ void add_resistance(LatticeNodes& nodes, const PorousField& field)
 }
 
 }  // namespace
+
+Vec3 lattice_dims(const Vessel& vessel, double spacing)
+{
+    const auto [first, last] = node_range(vessel, spacing);
+    return last - first + Vec3::Ones();
+}
 
 LatticeNodes make_lattice_nodes(const PorousField& field, const Vessel& vessel, int inlet)
 {

@@ -18,6 +18,12 @@ enum class NodeType : std::uint8_t {
     outlet = 11,  ///< beyond the first outlet, beside fluid
 };
 
+/// Whether there is fluid at a node, or an opening.
+inline bool is_open(std::uint8_t type)
+{
+    return type >= static_cast<std::uint8_t>(NodeType::fluid);
+}
+
 /// An opening of the vessel on the lattice.
 struct LatticeOpening {
     int opening = 0;        ///< index of the vessel's opening
@@ -39,6 +45,14 @@ struct LatticeNodes {
     std::vector<Vec3> normal;             ///< unit
     TangentialRatio tangential_ratio;
 };
+
+/// Beyond, a lattice is no longer for a workstation, nor an array for HemoFlow's zip without its
+/// 64-bit form.
+inline constexpr double most_lattice_nodes = 5e8;
+
+/// Nodes along each axis of a lattice over the vessel, two beyond it on all sides: whole numbers,
+/// of any size.
+Vec3 lattice_dims(const Vessel& vessel, double spacing);
 
 /// Lays the vessel on the field's lattice, two nodes beyond it on all sides.
 ///

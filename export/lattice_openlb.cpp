@@ -1,57 +1,86 @@
 #include "export/lattice_openlb.hpp"
 
 #include "core/error.hpp"
+#include "export/binary_file.hpp"
+#include "export/resisting_planes.hpp"
 #include "export/vdb_mark.hpp"
-#include "export/vtk_output.hpp"
 
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
-#include <vtkDoubleArray.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkXMLImageDataWriter.h>
 
-#include <array>
+#include <iterator>
+#include <string>
+#include <vector>
 
 namespace braidzone {
 
 namespace {
 
-vtkNew<vtkDoubleArray> sparse_array(const char* name, const LatticeNodes& nodes,
-                                    const std::vector<double>& values)
+/// Writes an array of a number a node as text, a line for each x-row.
+/// @param plane_text  of the nodes of a plane across z
+template <typename PlaneText>
+void write_data_array(BinaryFile& file, const char* type, const char* name,
+                      const LatticeNodes& nodes, PlaneText plane_text)
 {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    array->SetNumberOfComponents(1);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(nodes.type.size()));
-    array->FillValue(0.0);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        array->SetValue(nodes.resisting[i], values[i]);
-    return array;
+    file.write(fmt::format(
+        "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"1\" format=\"ascii\">\n", type,
+        name));
+    for (int k = 0; k < nodes.grid.dims[2]; ++k)
+        file.write(plane_text(k));
+    file.write("</DataArray>\n");
 }
 
+/// Text of a plane of numbers that are 0 but at the resisting nodes.
+std::string sparse_plane(const LatticeNodes& nodes, const ResistingPlanes& planes,
+                         const std::vector<double>& values, int k)
+{
+    std::string text;
+    const std::size_t first = nodes.grid.index(0, 0, k), end = nodes.grid.index(0, 0, k + 1);
+    const auto row = static_cast<std::size_t>(nodes.grid.dims[0]);
+    const auto resisting = planes.in_plane(k);
+    auto next = resisting.begin();
+    for (std::size_t node = first; node < end; ++node) {
+        if (next != resisting.end() && static_cast<std::size_t>(nodes.resisting[*next]) == node)
+            fmt::format_to(std::back_inserter(text), "{:.9g}", values[*next++]);
+        else
+            text += '0';
+        text += (node + 1) % row == 0 ? '\n' : ' ';
+    }
+    return text;
+}
+
+std::string type_plane(const LatticeNodes& nodes, int k)
+{
+    std::string text;
+    const auto row = static_cast<std::size_t>(nodes.grid.dims[0]);
+    for (std::size_t node = nodes.grid.index(0, 0, k); node < nodes.grid.index(0, 0, k + 1); ++node)
+        fmt::format_to(std::back_inserter(text), "{}{}", nodes.type[node],
+                       (node + 1) % row == 0 ? '\n' : ' ');
+    return text;
+}
+
+/// VTK's own writer takes whole arrays only, 17 bytes a node.
 void write_image(const std::filesystem::path& path, const LatticeNodes& nodes)
 {
     const auto& [nx, ny, nz] = nodes.grid.dims;
-    const double h = nodes.grid.spacing;
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(nx, ny, nz);
-    image->SetSpacing(h, h, h);
-    vtkNew<vtkUnsignedCharArray> flags;
-    flags->SetName("flags");
-    flags->SetNumberOfComponents(1);
-    flags->SetNumberOfTuples(static_cast<vtkIdType>(nodes.type.size()));
-    for (std::size_t node = 0; node < nodes.type.size(); ++node)
-        flags->SetValue(static_cast<vtkIdType>(node), nodes.type[node]);
-    image->GetPointData()->AddArray(flags);
-    image->GetPointData()->AddArray(sparse_array("darcy_d", nodes, nodes.darcy));
-    image->GetPointData()->AddArray(sparse_array("forchheimer_f", nodes, nodes.forchheimer));
-    vtkNew<vtkXMLImageDataWriter> writer;
-    writer->SetInputData(image);
-    write_vtk_text(path, *writer);
+    const std::string extent = fmt::format("0 {} 0 {} 0 {}", nx - 1, ny - 1, nz - 1);
+    BinaryFile file(path);
+    file.write(fmt::format(R"(<?xml version="1.0"?>
+<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
+<ImageData WholeExtent="{0}" Origin="0 0 0" Spacing="{1:.17g} {1:.17g} {1:.17g}">
+<Piece Extent="{0}">
+<PointData>
+)",
+                           extent, nodes.grid.spacing));
+    const ResistingPlanes planes(nodes, 2);
+    write_data_array(file, "UInt8", "flags", nodes, [&](int k) { return type_plane(nodes, k); });
+    write_data_array(file, "Float64", "darcy_d", nodes,
+                     [&](int k) { return sparse_plane(nodes, planes, nodes.darcy, k); });
+    write_data_array(file, "Float64", "forchheimer_f", nodes,
+                     [&](int k) { return sparse_plane(nodes, planes, nodes.forchheimer, k); });
+    file.write("</PointData>\n<CellData>\n</CellData>\n</Piece>\n</ImageData>\n</VTKFile>\n");
+    file.close();
 }
 
 void write_porosity(const std::filesystem::path& path, const LatticeNodes& nodes,
@@ -97,11 +126,16 @@ void write_porosity(const std::filesystem::path& path, const LatticeNodes& nodes
 
 }  // namespace
 
-void write_openlb(const std::filesystem::path& folder, const LatticeNodes& nodes,
-                  const Fluid& fluid, const LatticeUnits& units)
+std::vector<LatticeFile> write_openlb(const std::filesystem::path& folder,
+                                      const LatticeNodes& nodes, const Fluid& fluid,
+                                      const LatticeUnits& units)
 {
     write_porosity(folder / "olb_porosity.vdb", nodes, fluid, units);
     write_image(folder / "case.vti", nodes);
+    const std::vector<int> shape = shape_of(nodes.grid.dims);
+    return {{"olb_porosity.vdb", "OpenVDB float grid \"porosity\"", shape, "by index (i, j, k)"},
+            {"case.vti", "VTK image in text: flags, darcy_d [1/m^2], forchheimer_f [1/m]", shape,
+             "first index fastest"}};
 }
 
 }  // namespace braidzone

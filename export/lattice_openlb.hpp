@@ -1,9 +1,11 @@
 #pragma once
 
+#include "export/lattice_files.hpp"
 #include "export/lattice_nodes.hpp"
 #include "export/lattice_units.hpp"
 
 #include <filesystem>
+#include <vector>
 
 namespace braidzone {
 
@@ -24,7 +26,8 @@ namespace braidzone {
 ///
 /// @throws ConfigError if the device's resistance is beyond that; IoError if a file cannot be
 /// written
-void write_openlb(const std::filesystem::path& folder, const LatticeNodes& nodes,
-                  const Fluid& fluid, const LatticeUnits& units);
+std::vector<LatticeFile> write_openlb(const std::filesystem::path& folder,
+                                      const LatticeNodes& nodes, const Fluid& fluid,
+                                      const LatticeUnits& units);
 
 }  // namespace braidzone

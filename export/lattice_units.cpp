@@ -37,25 +37,4 @@ LatticeUnits propose_units(const LatticeNodes& nodes, const Fluid& fluid,
     return units;
 }
 
-std::vector<std::string> unit_warnings(const LatticeUnits& units, const LatticeFlowOptions& options)
-{
-    constexpr double lowest_relaxation_time = 0.51;
-    constexpr double highest_density_error = 0.03;
-    std::vector<std::string> warnings;
-    if (!(units.relaxation_time_lu > lowest_relaxation_time)) {
-        warnings.push_back(fmt::format(
-            "lattice: relaxation time {:.4g} is not above {:.4g}: the BGK collision is unstable; "
-            "take a finer grid.spacing, or TRT, MRT or a regularised collision",
-            units.relaxation_time_lu, lowest_relaxation_time));
-    }
-    const double density_error = 3.0 * units.largest_drag_lu * options.velocity_lu;
-    if (!(density_error < highest_density_error)) {
-        warnings.push_back(fmt::format(
-            "lattice: flow at its fastest through the device would change the density by {:.2g} %; "
-            "take a lower velocity_lu",
-            100.0 * density_error));
-    }
-    return warnings;
-}
-
 }  // namespace braidzone

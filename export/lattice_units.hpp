@@ -3,9 +3,6 @@
 #include "core/fluid.hpp"
 #include "export/lattice_nodes.hpp"
 
-#include <string>
-#include <vector>
-
 namespace braidzone {
 
 /// Above this velocity in lattice units, a Mach number of 0.35, flow is no longer incompressible.
@@ -35,10 +32,5 @@ struct LatticeUnits {
 /// @throws ConfigError if a velocity is out of range
 LatticeUnits propose_units(const LatticeNodes& nodes, const Fluid& fluid,
                            const LatticeFlowOptions& options);
-
-/// Sentences about what makes the proposal doubtful: tau of 0.51 or less, with which the plain BGK
-/// collision is unstable; an error of the density, 3 a u_lu, of 3 % or more.
-std::vector<std::string> unit_warnings(const LatticeUnits& units,
-                                       const LatticeFlowOptions& options);
 
 }  // namespace braidzone

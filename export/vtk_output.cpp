@@ -117,10 +117,4 @@ void write_vtk_xml(const std::filesystem::path& path, vtkXMLWriter& writer)
     write_through_string(path, writer);
 }
 
-void write_vtk_text(const std::filesystem::path& path, vtkXMLWriter& writer)
-{
-    writer.SetDataModeToAscii();
-    write_through_string(path, writer);
-}
-
 }  // namespace braidzone

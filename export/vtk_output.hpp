@@ -42,8 +42,4 @@ void write_vtk_xml(const std::filesystem::path& path, vtkXMLWriter& writer, vtkD
 /// The same for a writer whose input is set already.
 void write_vtk_xml(const std::filesystem::path& path, vtkXMLWriter& writer);
 
-/// Writes data as VTK XML in text, for readers that know nothing else.
-/// @throws IoError if the file cannot be written
-void write_vtk_text(const std::filesystem::path& path, vtkXMLWriter& writer);
-
 }  // namespace braidzone

@@ -89,6 +89,7 @@ format = "lattice"
 targets = ["openlb", "numpy"]
 peak_velocity = "40 cm/s"
 velocity_lu = 0.04
+openings = "extended_z"
 [[export]]
 format = "surfaces"
 parts = ["wires", "distance"]
@@ -154,6 +155,12 @@ TEST(CaseFile, GivesEveryValueInSi)
     EXPECT_DOUBLE_EQ(job.exports.openfoam->coarse_cell, 0.4e-3);
     EXPECT_EQ(job.exports.openfoam->surface_refinement, 2);
     EXPECT_EQ(job.exports.openfoam->device_refinement, 3);
+    ASSERT_TRUE(job.exports.lattice.has_value());
+    EXPECT_EQ(job.exports.lattice->targets,
+              (std::vector{LatticeTarget::openlb, LatticeTarget::numpy}));
+    EXPECT_DOUBLE_EQ(job.exports.lattice->flow.peak_velocity, 0.4);
+    EXPECT_EQ(job.exports.lattice->flow.velocity_lu, 0.04);
+    EXPECT_EQ(job.exports.lattice->openings, OpeningFaces::extended_z);
     ASSERT_TRUE(job.exports.surfaces.has_value());
     EXPECT_EQ(job.exports.surfaces->parts,
               (std::vector{SurfacePart::wires, SurfacePart::distance}));

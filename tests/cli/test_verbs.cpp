@@ -246,6 +246,42 @@ TEST_F(Verbs, RunWritesTheSurfacesIfAsked)
         ASSERT_TRUE(wall.contains(tubes.points[i])) << i;
 }
 
+// The straight tube lies along x, so that both openings turn by 90 degrees.
+TEST_F(Verbs, RunContinuesTheOpeningsIfAsked)
+{
+    std::ofstream(folder_.path() / "case.toml", std::ios::app)
+        << "\n[[export]]\nformat = \"lattice\"\ntargets = [\"lbpm\", \"hemoflow\"]\n"
+           "openings = \"extended_z\"\n";
+    run("check");
+    EXPECT_NE(out_.find(" nodes, "), std::string::npos) << out_;
+    EXPECT_NE(out_.find("turned by 90 degrees, to the lower face of the box across z"),
+              std::string::npos)
+        << out_;
+    run("run");
+    EXPECT_NE(out_.find("turned by 90 degrees, to the upper face of the box across z"),
+              std::string::npos)
+        << out_;
+    const auto lattice =
+        nlohmann::json::parse(text_of(folder_.path() / "case.out/lattice/lattice.json"));
+    EXPECT_EQ(lattice["openings"][0]["normal_outwards"][2].get<double>(),
+              -lattice["openings"][1]["normal_outwards"][2].get<double>());
+    EXPECT_TRUE(is_there("case.out/lattice/lbpm/permeability_vox2_f64.raw"));
+    EXPECT_TRUE(is_there("case.out/lattice/hemoflow/case.npz"));
+}
+
+TEST_F(Verbs, CheckRefusesALatticeThatIsTooLarge)
+{
+    std::ofstream(folder_.path() / "case.toml", std::ios::app)
+        << "\n[[export]]\nformat = \"lattice\"\n";
+    const test::Program program(
+        {"check", (folder_.path() / "case.toml").string(), "--set", "grid.spacing=2 um"},
+        folder_.path());
+    EXPECT_EQ(program.wait(), 2);
+    EXPECT_NE(program.err().find("at most 5e+08 nodes are allowed, as with a spacing of"),
+              std::string::npos)
+        << program.err();
+}
+
 TEST_F(Verbs, GiveTheSameBytesWhateverTheNumberOfThreads)
 {
     std::ofstream(folder_.path() / "case.toml", std::ios::app)

@@ -213,7 +213,11 @@ TEST_F(LatticeExport, NotesSayWhatTargetsLeaveOut)
                            ::testing::HasSubstr("openlb has one resistance for all directions")));
     EXPECT_THAT(notes, ::testing::Contains(
                            "lattice: walberla takes the walls, not the device's resistance"));
-    EXPECT_THAT(notes, ::testing::Not(::testing::Contains(::testing::HasSubstr("numpy"))));
+    EXPECT_THAT(notes, ::testing::Not(::testing::Contains(::testing::HasSubstr("numpy takes"))));
+    // tau = 0.505: 0.0105 / 0.005 times the velocity, or of the spacing.
+    EXPECT_THAT(notes, ::testing::Contains(::testing::HasSubstr(
+                           "lattice (palabos, walberla): relaxation time 0.505 is not above 0.51: "
+                           "the plain BGK collision is unstable")));
     for (const char* file :
          {"numpy/cell_type.npy", "numpy/README.md", "openlb/case.vti", "openlb/olb_porosity.vdb",
           "palabos/geometry.dat", "walberla/mask_u8.raw", "lattice.json"})
@@ -230,21 +234,38 @@ TEST_F(LatticeExport, NotesSayWhatTargetsLeaveOut)
         "True\nTrue\n8 0.003\n");
 }
 
-/// A tube along z whose openings are faces of the box, with a sheet across.
-struct TubeLattice {
-    Vessel vessel = test::tube_vessel(1.5e-3, 6e-3, 96, 24);
-    LatticeNodes nodes;
+using test::TubeLattice;
 
-    explicit TubeLattice(double a = 400.0)
-    {
-        const BraidSurface surface =
-            test::flat_braid(Vec3(-1e-3, -1e-3, 3.013e-3), Vec3(0.1e-3, 0, 0), 20,
-                             Vec3(0, 0.1e-3, 0.01e-3), 20, 30e-6);
-        const ResistanceSheet sheet =
-            make_resistance_sheet(surface, ConstantLaw{{a, 300.0}}, Fluid{1055.0, 3.4e-3});
-        nodes = make_lattice_nodes(deposit(sheet, vessel, {.spacing = 0.1e-3}), vessel, 0);
-    }
-};
+// Every file is in the list with the bytes and the SHA-256 that Python finds, and arrays with their
+// shape; the matrix takes the index of a node to its place.
+TEST_F(LatticeExport, JsonListsTheFilesAsTheyAre)
+{
+    const TubeLattice tube;
+    LatticeExportOptions options;
+    options.targets = all_lattice_targets();
+    write_lattice(folder(), tube.nodes, tube.vessel, Fluid{1055.0, 3.4e-3}, options);
+    EXPECT_EQ(printed_by_python(
+                  "import json, hashlib, os, numpy as n\n"
+                  "c = json.load(open('lattice.json'))\n"
+                  "for t in c['targets']:\n"
+                  "  names = {'README.md'}\n"
+                  "  for f in c['targets'][t]['files']:\n"
+                  "    b = open(t + '/' + f['name'], 'rb').read()\n"
+                  "    assert len(b) == f['bytes'], f\n"
+                  "    assert hashlib.sha256(b).hexdigest() == f['sha256'], f\n"
+                  "    if f['name'].endswith('.npy'):\n"
+                  "      assert list(n.load(t + '/' + f['name']).shape) == f['shape'], f\n"
+                  "    if f['name'].endswith('.raw'):\n"
+                  "      size = 1 if f['type'] == 'uint8' else 8\n"
+                  "      assert size * n.prod(f['shape']) == f['bytes'], f\n"
+                  "    names.add(f['name'])\n"
+                  "  assert names == set(os.listdir(t)), names\n"
+                  "print(len(c['targets']))\n"
+                  "m, o, h = n.array(c['index_to_world_m']), c['origin_m'], c['spacing_m']\n"
+                  "print(m.shape, abs(m @ [1, 2, 3, 1] - [o[0] + h, o[1] + 2 * h, o[2] + 3 * h, "
+                  "1]).max() < 1e-15)\n"),
+              "6\n(4, 4) True\n");
+}
 
 // Opening 0 is the one at z = 0 or the other end, by the vessel's own order; whichever it is, the
 // inlet's nodes fill a face of the box, the outlet's the opposite one. The weights times linCoeff
@@ -319,6 +340,35 @@ TEST_F(LatticeExport, HemoFlowWantsOpeningsOnTheFacesOfTheBox)
         EXPECT_THAT(error.what(),
                     ::testing::HasSubstr("hemoflow wants openings flat on the faces"));
         EXPECT_THAT(error.what(), ::testing::HasSubstr("turned by 17 degrees"));
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("state openings = \"extended\""));
+    }
+}
+
+// An opening that is flat, but not where the vessel ends along its axis: HemoFlow's box would leave
+// fluid out.
+TEST_F(LatticeExport, HemoFlowWantsNoFluidBeyondAnOpening)
+{
+    TubeLattice tube;
+    const auto fluid = static_cast<std::uint8_t>(NodeType::fluid);
+    tube.nodes.type[tube.nodes.grid.index(3, 3, 0)] = fluid;
+    try {
+        write_hemoflow(folder(), tube.nodes, tube.vessel, Fluid{}, {});
+        FAIL() << "nothing was thrown";
+    } catch (const ConfigError& error) {
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("along z fluid reaches from node 0 to"));
+    }
+}
+
+// Ten thousand times the mean resistance in one node is more than a weight of 65535 thousandths.
+TEST_F(LatticeExport, HemoFlowRefusesWeightsThatItCannotHold)
+{
+    TubeLattice tube(0.4);
+    tube.nodes.darcy[0] = 1e4 * tube.nodes.darcy[100];
+    try {
+        write_hemoflow(folder(), tube.nodes, tube.vessel, Fluid{1055.0, 3.4e-3}, {});
+        FAIL() << "nothing was thrown";
+    } catch (const ConfigError& error) {
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("hemoflow holds weights up to 65535"));
     }
 }
 

@@ -33,8 +33,8 @@ struct DragCell {
     Vec3 normal = Vec3::UnitZ();  ///< n, unit
 };
 
-/// Flow in a triply periodic box around round wires and through cells with drag, by the lattice
-/// Boltzmann method in lattice units: cell spacing, time step and density are 1.
+/// Flow in a triply periodic box around round wires or other walls and through cells with drag, by
+/// the lattice Boltzmann method in lattice units: cell spacing, time step and density are 1.
 ///
 /// D3Q19 with two relaxation times (`trt_collision.hpp`), no slip on the wires by central linear
 /// interpolation along each link (`lattice_walls.hpp`). Together they make steady Stokes flow
@@ -50,13 +50,19 @@ class LatticeFlow {
 public:
     LatticeFlow(const PeriodicBox& box, const LatticeFluid& lattice_fluid,
                 const std::vector<RoundWire>& wires = {}, const std::vector<DragCell>& drag = {})
+        : LatticeFlow(box, lattice_walls(box, with_images(wires, box)), lattice_fluid, drag)
+    {
+    }
+
+    LatticeFlow(const PeriodicBox& box, LatticeWalls walls, const LatticeFluid& lattice_fluid,
+                const std::vector<DragCell>& drag)
         : fluid(lattice_fluid),
           forced_planes{0, box.dims[2]},
           box_(box),
           size_(box.array_size()),
           populations_(static_cast<std::size_t>(d3q19::num_velocities * size_), 0.0F),
           next_(populations_),
-          walls_(lattice_walls(box, with_images(wires, box))),
+          walls_(std::move(walls)),
           drag_of_cell_(drag.empty() ? 0 : static_cast<std::size_t>(size_), -1)
     {
         find_ghosts();

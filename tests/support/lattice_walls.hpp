@@ -63,12 +63,14 @@ inline std::vector<char> cells_in_wires(const PeriodicBox& box, const std::vecto
     return in_wire;
 }
 
-/// @param wires  with their images in the boxes around, see `with_images`
-inline LatticeWalls lattice_walls(const PeriodicBox& box, const std::vector<RoundWire>& wires)
+/// @param is_solid   of each place of an array with ghost cells, as `cells_in_wires` returns it
+/// @param free_part  of a link (cell, velocity) before it meets the wall, 0 to 1
+template <typename FreePart>
+LatticeWalls walls_around(const PeriodicBox& box, const std::vector<char>& is_solid,
+                          FreePart free_part)
 {
-    const std::vector<char> in_wire = cells_in_wires(box, wires);
     const auto is_wall = [&](const std::array<int, 3>& cell) {
-        return in_wire[static_cast<std::size_t>(box.index(box.wrapped(cell)))] != 0;
+        return is_solid[static_cast<std::size_t>(box.index(box.wrapped(cell)))] != 0;
     };
     LatticeWalls walls;
     box.for_each_cell([&](const std::array<int, 3>& cell) {
@@ -80,11 +82,7 @@ inline LatticeWalls lattice_walls(const PeriodicBox& box, const std::vector<Roun
             const std::array<int, 3> ahead = d3q19::moved(cell, i);
             if (!is_wall(ahead)) continue;
             const auto& c = d3q19::velocity[static_cast<std::size_t>(i)];
-            double q = 1.0;
-            for (const RoundWire& wire : wires) {
-                q = std::min(
-                    q, free_part(wire, Vec3(cell[0], cell[1], cell[2]), Vec3(c[0], c[1], c[2])));
-            }
+            const double q = free_part(Vec3(cell[0], cell[1], cell[2]), Vec3(c[0], c[1], c[2]));
             WallLink link;
             link.wall_cell = box.index(box.wrapped(ahead));
             link.cell = link.cell_behind = box.index(cell);
@@ -99,6 +97,29 @@ inline LatticeWalls lattice_walls(const PeriodicBox& box, const std::vector<Roun
         }
     });
     return walls;
+}
+
+/// @param wires  with their images in the boxes around, see `with_images`
+inline LatticeWalls lattice_walls(const PeriodicBox& box, const std::vector<RoundWire>& wires)
+{
+    return walls_around(box, cells_in_wires(box, wires), [&](const Vec3& cell, const Vec3& c) {
+        double q = 1.0;
+        for (const RoundWire& wire : wires)
+            q = std::min(q, free_part(wire, cell, c));
+        return q;
+    });
+}
+
+/// Walls half-way between fluid and solid cells.
+/// @param is_solid  of each cell of the box, in the order of `for_each_cell`
+inline LatticeWalls halfway_walls(const PeriodicBox& box, const std::vector<char>& is_solid)
+{
+    std::vector<char> with_ghosts(static_cast<std::size_t>(box.array_size()), 0);
+    auto next = is_solid.begin();
+    box.for_each_cell([&](const std::array<int, 3>& cell) {
+        with_ghosts[static_cast<std::size_t>(box.index(cell))] = *next++;
+    });
+    return walls_around(box, with_ghosts, [](const Vec3&, const Vec3&) { return 0.5; });
 }
 
 }  // namespace braidzone::test

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "export/lattice_nodes.hpp"
+#include "porous/resistance_law.hpp"
+#include "support/braids.hpp"
+#include "support/shapes.hpp"
 
 namespace braidzone::test {
 
@@ -23,5 +26,22 @@ inline LatticeNodes asymmetric_lattice()
     nodes.normal = {Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, -1.0)};
     return nodes;
 }
+
+/// A tube along z whose openings are faces of the box, with a slanted sheet across.
+struct TubeLattice {
+    Vessel vessel = tube_vessel(1.5e-3, 6e-3, 96, 24);
+    LatticeNodes nodes;
+
+    /// @param a      linear constant of the sheet [Pa s/m]
+    /// @param inlet  index of the vessel's opening
+    explicit TubeLattice(double a = 400.0, int inlet = 0)
+    {
+        const BraidSurface surface = flat_braid(Vec3(-1e-3, -1e-3, 3.013e-3), Vec3(0.1e-3, 0, 0),
+                                                20, Vec3(0, 0.1e-3, 0.01e-3), 20, 30e-6);
+        const ResistanceSheet sheet =
+            make_resistance_sheet(surface, ConstantLaw{{a, 300.0}}, Fluid{1055.0, 3.4e-3});
+        nodes = make_lattice_nodes(deposit(sheet, vessel, {.spacing = 0.1e-3}), vessel, inlet);
+    }
+};
 
 }  // namespace braidzone::test

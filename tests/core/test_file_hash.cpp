@@ -1,4 +1,4 @@
-#include "cli/file_hash.hpp"
+#include "core/file_hash.hpp"
 #include "core/error.hpp"
 #include "support/temporary_folder.hpp"
 
