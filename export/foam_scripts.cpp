@@ -238,7 +238,7 @@ Zones, fields and `fd_export.json` appear when the device is applied to the mesh
 
 The neck of the figures is `sac_neck`, on the sac's side of the layer of resistant cells, some three
 cells from the braid itself: the same faces with and without the device. Inflow is half the sum of
-\|flow rate\| over them, as what enters leaves again; two streams within one face cancel.
+|flow rate| over them, as what enters leaves again; two streams within one face cancel.
 
 Lengths are in metres. p is the kinematic pressure p / rho [m^2/s^2]: times the density it is in Pa.
 The source is S = -(mu D + 1/2 rho |U| F) U with D in 1/m^2 and F in 1/m along the axes of each zone.
