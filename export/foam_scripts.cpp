@@ -313,8 +313,10 @@ std::string foam_readme(const FoamFlow& flow, const std::vector<FoamOpening>& op
             "Laminar and pulsatile, in a rigid vessel: pimpleFoam over {} cycles of {:.6g} s, the "
             "inflow a table\nin `0/U` that repeats. The last cycle is kept, 20 times of it, and "
             "the "
-            "figures are means over it. The\nflow starts from rest: compare the cycles before you "
-            "trust the last one.\n",
+            "figures are means over it.\n\nThe flow starts from rest with a jerk, which sets the "
+            "blood in the sac in motion too. Behind a device\nthat dies down slowly, in about a "
+            "second for a sac of 7 mm: look at `postProcessing/sacSpeed`, and raise\n`cycles` "
+            "until one cycle is as the one before.\n",
             flow.cycles, period(*flow.waveform));
     else
         text += "Laminar and steady, in a rigid vessel: simpleFoam.\n";
