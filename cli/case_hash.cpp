@@ -1,7 +1,7 @@
 #include "cli/case_hash.hpp"
 
-#include "cli/file_hash.hpp"
 #include "cli/resolved_case.hpp"
+#include "core/file_hash.hpp"
 
 #include <fmt/format.h>
 

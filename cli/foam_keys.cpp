@@ -44,6 +44,16 @@ void read_inflow(const TomlTable& table, FoamFlow& flow)
                                         table.number_or("max_courant", flow.max_courant), 100.0);
 }
 
+OutletPressures read_pressures(const TomlTable& table)
+{
+    OutletPressures outlets{table.quantities("outlet_pressures", Dimension::pressure)};
+    if (outlets.pressures.empty()) {
+        throw ConfigError(fmt::format("{} is empty; one for each outlet is expected",
+                                      table.where("outlet_pressures")));
+    }
+    return outlets;
+}
+
 OutletShares read_shares(const TomlTable& table)
 {
     OutletShares outlets{table.numbers("outlet_shares")};
@@ -68,8 +78,7 @@ FoamOutlets read_outlets(const TomlTable& table)
         }
         given = key;
     }
-    if (given == "outlet_pressures")
-        return OutletPressures{table.quantities("outlet_pressures", Dimension::pressure)};
+    if (given == "outlet_pressures") return read_pressures(table);
     if (given == "outlet_shares") return read_shares(table);
     if (one_of(table, "outlets", "pressure", {"pressure", "murray"}) == "murray")
         return MurraySplit{};

@@ -257,7 +257,7 @@ Zones, fields and `fd_export.json` appear when the device is applied to the mesh
 
 The neck of the figures is `sac_neck`, on the sac's side of the layer of resistant cells, some three
 cells from the braid itself: the same faces with and without the device. Inflow is half the sum of
-\|flow rate\| over them, as what enters leaves again; two streams within one face cancel.
+|flow rate| over them, as what enters leaves again; two streams within one face cancel.
 
 Lengths are in metres. p is the kinematic pressure p / rho [m^2/s^2]: times the density it is in Pa.
 The source is S = -(mu D + 1/2 rho |U| F) U with D in 1/m^2 and F in 1/m along the axes of each zone.
@@ -374,8 +374,10 @@ std::string foam_readme(const FoamFlow& flow, const std::vector<FoamOpening>& op
             "Laminar and pulsatile, in a rigid vessel: pimpleFoam over {} cycles of {:.6g} s, the "
             "inflow a table\nin `0/U` that repeats. The last cycle is kept, 20 times of it, and "
             "the "
-            "figures are means over it. The\nflow starts from rest: compare the cycles before you "
-            "trust the last one.\n",
+            "figures are means over it.\n\nThe flow starts from rest with a jerk, which sets the "
+            "blood in the sac in motion too. Behind a device\nthat dies down slowly, in about a "
+            "second for a sac of 7 mm: look at `postProcessing/sacSpeed`, and raise\n`cycles` "
+            "until one cycle is as the one before.\n",
             flow.cycles, period(*flow.waveform));
     else
         text += "Laminar and steady, in a rigid vessel: simpleFoam.\n";
