@@ -169,6 +169,20 @@ TEST_F(SurfacesExport, SaysIfTheShellCrossesItself)
     EXPECT_THAT(notes.front(), testing::HasSubstr("pairs of intersecting triangles"));
 }
 
+// A sharp rib of the wall, 0.2 mm high, between two nodes of a ring: the flat triangles cut it.
+TEST_F(SurfacesExport, SaysIfTheShellCutsTheWall)
+{
+    options.parts = {SurfacePart::device};
+    TriangleMesh& mesh = vessel.wall;
+    // Off the nodes' angles, which are multiples of 7.5 degrees; 96 points a ring of the wall.
+    for (std::size_t ring = 0; ring < 31; ++ring)
+        mesh.points[96 * ring + 1] *= 0.1;
+    const std::vector<std::string> notes = write();
+    ASSERT_FALSE(notes.empty());
+    EXPECT_THAT(notes,
+                testing::Contains(testing::HasSubstr("surfaces/device.stl cuts the vessel")));
+}
+
 // The second one lies on the lining that stands for the first: its inner surface, two wires inside.
 TEST_F(SurfacesExport, TwoDevicesDoNotCutEachOther)
 {
