@@ -30,10 +30,9 @@ int integer_in_range(const TomlTable& table, const std::string& key, int fallbac
 std::string one_of(const TomlTable& table, const std::string& key, const std::string& fallback,
                    const std::vector<std::string>& allowed);
 
-/// Names out of a list, each once and at least one, or all of `fallback` if the key is missing.
+/// Names out of a list, each once and at least one.
 /// @return their places in the list
 std::vector<std::size_t> some_of(const TomlTable& table, const std::string& key,
-                                 const std::vector<std::size_t>& fallback,
                                  const std::vector<std::string>& allowed);
 
 }  // namespace braidzone
