@@ -190,7 +190,7 @@ LatticeExportOptions read_lattice_options(const TomlTable& table)
     for (const LatticeTarget target : all_lattice_targets())
         names.push_back(target_name(target));
     options.targets.clear();
-    for (const std::size_t place : some_of(table, "targets", {}, names))
+    for (const std::size_t place : some_of(table, "targets", names))
         options.targets.push_back(all_lattice_targets()[place]);
     return options;
 }
@@ -201,7 +201,7 @@ SurfacesOptions read_surfaces_options(const TomlTable& table, double spacing)
     SurfacesOptions options;
     if (table.has("parts")) {
         options.parts.clear();
-        for (const std::size_t place : some_of(table, "parts", {}, surface_part_names()))
+        for (const std::size_t place : some_of(table, "parts", surface_part_names()))
             options.parts.push_back(static_cast<SurfacePart>(place));
     }
     const std::vector<std::string> patterns = braid_pattern_names();

@@ -61,10 +61,8 @@ std::filesystem::path file_path(const TomlTable& table, const std::string& key)
 }
 
 std::vector<std::size_t> some_of(const TomlTable& table, const std::string& key,
-                                 const std::vector<std::size_t>& fallback,
                                  const std::vector<std::string>& allowed)
 {
-    if (!table.has(key)) return fallback;
     std::vector<std::size_t> places;
     for (const std::string& name : table.texts(key)) {
         const auto found = std::find(allowed.begin(), allowed.end(), name);

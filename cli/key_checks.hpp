@@ -34,10 +34,9 @@ std::string one_of(const TomlTable& table, const std::string& key, const std::st
 /// The file that a key names, relative to the case file's folder; it need not exist.
 std::filesystem::path file_path(const TomlTable& table, const std::string& key);
 
-/// Names out of a list, each once and at least one, or all of `fallback` if the key is missing.
+/// Names out of a list, each once and at least one.
 /// @return their places in the list
 std::vector<std::size_t> some_of(const TomlTable& table, const std::string& key,
-                                 const std::vector<std::size_t>& fallback,
                                  const std::vector<std::string>& allowed);
 
 }  // namespace braidzone

@@ -126,22 +126,21 @@ void add_along_wire(MissingInsets& missing, const BraidLattice& lattice, const I
     }
 }
 
-/// What is missing on the triangles of the rhombi: in their middle and in that of their sides.
+/// What is missing on a triangle of a rhombus, at places a third of its sides apart.
 void add_on_triangle(MissingInsets& missing, const InsetBraid& braid,
                      const std::array<int, 3>& corners, const std::vector<char>& moved)
 {
     if (!has_moved(moved, corners)) return;
-    const auto mean = [&](const std::vector<Vec3>& values, const Vec3& weights) -> Vec3 {
-        Vec3 sum = Vec3::Zero();
-        for (std::size_t i = 0; i < 3; ++i)
-            sum += weights[static_cast<Eigen::Index>(i)] *
-                   values[static_cast<std::size_t>(corners[i])];
-        return sum;
+    constexpr int parts = 3;
+    const auto mean = [&](const std::vector<Vec3>& values, int i, int j) -> Vec3 {
+        const auto value = [&](std::size_t k) -> const Vec3& {
+            return values[static_cast<std::size_t>(corners[k])];
+        };
+        return (i * value(0) + j * value(1) + (parts - i - j) * value(2)) / parts;
     };
-    for (const Vec3& weights : {Vec3(1, 1, 1), Vec3(1, 1, 0), Vec3(0, 1, 1), Vec3(1, 0, 1)}) {
-        const Vec3 shares = weights / weights.sum();
-        missing.add({mean(braid.nodes, shares), mean(braid.normals, shares)}, corners);
-    }
+    for (int i = 0; i <= parts; ++i)
+        for (int j = 0; i + j <= parts; ++j)
+            missing.add({mean(braid.nodes, i, j), mean(braid.normals, i, j)}, corners);
 }
 
 std::vector<double> missing_insets(const BraidLattice& lattice, const InsetBraid& braid,

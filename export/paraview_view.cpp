@@ -61,8 +61,7 @@ def colour(display, view, array, title, preset):
     bar.Orientation, bar.WindowLocation = "Horizontal", "Lower Center"
 
 
-def new_view():
-    view = CreateView("RenderView")
+def look(view):
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
     view.CameraFocalPoint = CENTRE
@@ -75,16 +74,20 @@ def new_view():
 
 paraview.simple._DisableFirstRenderCameraReset()
 vessel = reader("vessel.vtp")
-layout = CreateLayout("Braidzone")
-left = new_view()
-AssignViewToLayout(view=left, layout=layout, hint=0)
+left = look(GetActiveViewOrCreate("RenderView"))
+layout = GetLayout(left)
+if layout is None:  # without a window
+    layout = CreateLayout("Braidzone")
+    AssignViewToLayout(view=left, layout=layout, hint=0)
 show_vessel(vessel, left)
 for name in DEVICES:
     colour(Show(reader(name), left), left, "metal_coverage", "Metal coverage", "Viridis (matplotlib)")
 
 if FIELD:
-    right = new_view()
-    AssignViewToLayout(view=right, layout=layout, hint=layout.SplitHorizontal(0, 0.5))
+    place = layout.SplitHorizontal(0, 0.5) + 1
+    right = look(CreateView("RenderView"))
+    if GetLayout(right) is None:
+        AssignViewToLayout(view=right, layout=layout, hint=place)
     show_vessel(vessel, right)
     plane = Slice(registrationName="slice", Input=reader(FIELD), SliceType="Plane")
     plane.SliceType.Origin, plane.SliceType.Normal = CENTRE, NORMAL

@@ -20,8 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Between solids that would touch, over the wire diameter.
-constexpr double gap_ratio = 0.05;
+// Between solids that would touch: what a wall of flat triangles may stand out between the places
+// at which a layer's distance from it is measured.
+constexpr double wire_gap_ratio = 0.05;  // over the wire diameter
+constexpr double shell_gap_ratio = 0.1;  // over the thickness; its triangles are larger
 
 constexpr const char* readme = R"(# Closed surfaces
 Binary STL, coordinates in the unit that `surfaces.json` and the header of each file name, normals out of
@@ -85,6 +87,30 @@ void note_defects(std::vector<std::string>& notes, const std::string& file,
     notes.push_back(fmt::format("surfaces/{}: {}", file, found));
 }
 
+/// A note if a solid in the lumen cuts the lumen's surface.
+void note_cuts(std::vector<std::string>& notes, const std::string& file, const TriangleMesh& solid,
+               const TriangleMesh& lumen)
+{
+    TriangleMesh both = solid;
+    const int num_points = static_cast<int>(solid.points.size());
+    const int num_triangles = static_cast<int>(solid.triangles.size());
+    both.points.insert(both.points.end(), lumen.points.begin(), lumen.points.end());
+    for (const auto& [a, b, c] : lumen.triangles)
+        both.triangles.push_back({a + num_points, b + num_points, c + num_points});
+    const SurfaceDefects defects = find_defects(both);
+    const auto num_cuts =
+        std::count_if(defects.intersecting_triangles.begin(), defects.intersecting_triangles.end(),
+                      [&](const std::array<int, 2>& pair) {
+                          return pair[0] < num_triangles && pair[1] >= num_triangles;
+                      });
+    if (num_cuts == 0) return;
+    notes.push_back(
+        fmt::format("surfaces/{} cuts the vessel's wall in {} pairs of triangles: its triangles "
+                    "are too large for "
+                    "the wall there, or the vessel too narrow",
+                    file, num_cuts));
+}
+
 /// The files of a folder with what is said about them.
 struct SurfaceFiles {
     const fs::path& folder;
@@ -105,23 +131,19 @@ double shell_thickness(const SurfaceDevice& device, const SurfacesOptions& optio
     return options.shell_thickness > 0.0 ? options.shell_thickness : 2.0 * device.wire_diameter;
 }
 
-/// A braid with room for a layer and a gap between it and what it lies on.
-InsetBraid with_room(const SurfaceDevice& device, const WallTree& wall, double half_of_layer)
-{
-    return inset_braid(device.deployment, wall, half_of_layer + gap_ratio * device.wire_diameter);
-}
-
 /// @return the inner side of the solid
-TriangleMesh add_shell(SurfaceFiles& files, const SurfaceDevice& device, const WallTree& wall,
-                       const SurfacesOptions& options)
+TriangleMesh add_shell(SurfaceFiles& files, const SurfaceDevice& device, const TriangleMesh& lumen,
+                       const WallTree& wall, const SurfacesOptions& options)
 {
     const std::string name = device.prefix + "device.stl";
     const double thickness = shell_thickness(device, options);
     const BraidLattice& lattice = device.deployment.lattice;
-    const InsetBraid braid = with_room(device, wall, 0.5 * thickness);
+    const InsetBraid braid =
+        inset_braid(device.deployment, wall, (0.5 + shell_gap_ratio) * thickness);
     const TriangleMesh shell = make_device_shell(lattice, braid, thickness);
     files.add(name, shell)["thickness_m"] = thickness;
     note_defects(files.notes, name, shell);
+    note_cuts(files.notes, name, shell, lumen);
     return inner_face(lattice, braid, 0.5 * thickness);
 }
 
@@ -144,7 +166,8 @@ TriangleMesh add_wires(SurfaceFiles& files, const SurfaceDevice& device, const W
     const std::string name = device.prefix + "wires.stl";
     const double half_of_layer = half_thickness(options, device.wire_diameter);
     const BraidLattice& lattice = device.deployment.lattice;
-    const InsetBraid braid = with_room(device, wall, half_of_layer);
+    const InsetBraid braid =
+        inset_braid(device.deployment, wall, half_of_layer + wire_gap_ratio * device.wire_diameter);
     const WireTubes tubes = make_wire_tubes(lattice, braid, device.wire_diameter, options);
     Json& entry = files.add(name, tubes.mesh);
     entry["num_solids"] = tubes.lines.size();
@@ -201,8 +224,8 @@ std::vector<std::string> write_surfaces(const fs::path& folder, const Vessel& ve
 {
     write_text_file(folder / "README.md", readme);
     SurfaceFiles files{folder, vessel.unit};
+    const TriangleMesh lumen = close_openings(vessel).mesh;
     if (options.has(SurfacePart::vessel)) {
-        const TriangleMesh lumen = close_openings(vessel).mesh;
         files.add("vessel.stl", lumen);
         note_defects(files.notes, "vessel.stl", lumen);
     }
@@ -211,7 +234,7 @@ std::vector<std::string> write_surfaces(const fs::path& folder, const Vessel& ve
     for (const SurfaceDevice& device : devices) {
         if (options.has(SurfacePart::device)) {
             const WallTree& support = under_shell ? *under_shell : wall;
-            under_shell.emplace(vessel, add_shell(files, device, support, options));
+            under_shell.emplace(vessel, add_shell(files, device, lumen, support, options));
         }
         if (options.has(SurfacePart::wires)) {
             const WallTree& support = under_wires ? *under_wires : wall;

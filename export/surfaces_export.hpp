@@ -52,12 +52,12 @@ struct SurfaceDevice {
 /// - vessel_distance.vdb: signed distance to vessel.stl (`vessel_distance.hpp`)
 /// - surfaces.json: unit, openings, triangles, areas, volumes and gaps; README.md: who reads what
 ///
-/// Devices keep a twentieth of a wire diameter from the wall, and a second device as much from the
-/// first.
+/// Wires keep a twentieth of their diameter from the wall and the solid a tenth of its thickness, a
+/// second device as much from the first.
 ///
 /// @param wall  of the vessel
-/// @return sentences about what is not as it should be: surfaces that cross themselves, wires that
-///         overlap; they are in surfaces.json, too
+/// @return sentences about what is not as it should be: surfaces that cross themselves or the
+///         wall, wires that overlap; they are in surfaces.json, too
 /// @throws IoError if a file cannot be written; what `write_vessel_distance` throws
 std::vector<std::string> write_surfaces(const std::filesystem::path& folder, const Vessel& vessel,
                                         const WallTree& wall,

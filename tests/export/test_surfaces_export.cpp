@@ -159,14 +159,32 @@ TEST_F(SurfacesExport, SaysIfWiresOverlap)
     EXPECT_GT(json()["files"]["wires.stl"]["num_overlaps"], 0);
 }
 
+// A groove of 0.5 mm around the braid, 0.2 mm wide, in a solid of 0.4 mm.
 TEST_F(SurfacesExport, SaysIfTheShellCrossesItself)
 {
     options.parts = {SurfacePart::device};
-    options.shell_thickness = 3.9e-3;
+    options.shell_thickness = 0.4e-3;
+    braid = test::braid_on_cylinder(device, 1.6e-3, make_lattice(device).ring_spacing, 4e-3);
+    for (int column = 0; column < braid.lattice.nodes_per_ring; ++column)
+        braid.nodes[static_cast<std::size_t>(braid.lattice.node(8, column))].head<2>() *= 0.7;
     const std::vector<std::string> notes = write();
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_THAT(notes.front(), testing::HasSubstr("surfaces/device.stl: "));
     EXPECT_THAT(notes.front(), testing::HasSubstr("pairs of intersecting triangles"));
+}
+
+// A sharp rib of the wall, 0.2 mm high, between two nodes of a ring: the flat triangles cut it.
+TEST_F(SurfacesExport, SaysIfTheShellCutsTheWall)
+{
+    options.parts = {SurfacePart::device};
+    TriangleMesh& mesh = vessel.wall;
+    // Off the nodes' angles, which are multiples of 7.5 degrees; 96 points a ring of the wall.
+    for (std::size_t ring = 0; ring < 31; ++ring)
+        mesh.points[96 * ring + 1] *= 0.1;
+    const std::vector<std::string> notes = write();
+    ASSERT_FALSE(notes.empty());
+    EXPECT_THAT(notes,
+                testing::Contains(testing::HasSubstr("surfaces/device.stl cuts the vessel")));
 }
 
 // The second one lies on the lining that stands for the first: its inner surface, two wires inside.
