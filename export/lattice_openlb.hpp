@@ -24,6 +24,9 @@ namespace braidzone {
 /// With 1 - tau a, as OpenLB's example has it, the resistance would be too large by 1 / (1 - a /
 /// 2). d falls with a to 0 at a = 1 / (3 nu_lu), the most that this form can express.
 ///
+/// Measured with OpenLB 701968ae (1.9) and its own functor on an exported sheet of 490 Pa s/m in
+/// plug flow: 9.817 Pa at 0.02 m/s and 49.02 Pa at 0.1 m/s, where a v is 9.800 and 49.00 Pa.
+///
 /// @throws ConfigError if the device's resistance is beyond that; IoError if a file cannot be
 /// written
 std::vector<LatticeFile> write_openlb(const std::filesystem::path& folder,

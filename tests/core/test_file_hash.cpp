@@ -1,5 +1,5 @@
-#include "core/file_hash.hpp"
 #include "core/error.hpp"
+#include "core/file_hash.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
