@@ -51,6 +51,13 @@ void write_script(const std::filesystem::path& file, const std::string& text)
     if (error) throw IoError(fmt::format("{}: {}", file.string(), error.message()));
 }
 
+void write_solver(const std::filesystem::path& system, const FoamSolverPlan& plan)
+{
+    write_text_file(system / "controlDict", control_dict(plan));
+    write_text_file(system / "fvSchemes", fv_schemes(plan));
+    write_text_file(system / "fvSolution", fv_solution(plan));
+}
+
 }  // namespace
 
 void write_foam_flow(const std::filesystem::path& folder, const std::vector<FoamOpening>& openings,
@@ -62,10 +69,9 @@ void write_foam_flow(const std::filesystem::path& folder, const std::vector<Foam
     solver.form = form;
     for (const FoamOpening& opening : openings)
         solver.openings.push_back(opening.name);
-    const auto system = folder / "system", constant = folder / "constant";
-    write_text_file(system / "controlDict", control_dict(solver));
-    write_text_file(system / "fvSchemes", fv_schemes(solver));
-    write_text_file(system / "fvSolution", fv_solution(solver));
+    const auto constant = folder / "constant";
+    write_solver(folder / "system", solver);
+    if (flow.waveform) write_solver(folder / "system.start", start_of(solver));
     write_text_file(constant / "transportProperties", transport_properties(fluid, flow.rheology));
     write_text_file(constant / "turbulenceProperties", turbulence_properties());
     write_text_file(folder / "0" / "U", velocity_field(openings, flow));

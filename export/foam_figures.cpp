@@ -48,7 +48,7 @@ value()
 {
     folder="$1/postProcessing/$2"
     [ -d "$folder" ] || return 0
-    for start in $(ls "$folder" | sort -n); do
+    for start in $(ls "$folder" | sort -g); do
         cat "$folder/$start"/*.dat
     done | awk -v from="$cycle_start" -v to="$cycle_end" '
         /^#/ || NF < 2 { next }

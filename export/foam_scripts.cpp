@@ -64,7 +64,7 @@ run()
 # time_folders FOLDER: the names of its time folders, in order
 time_folders()
 {
-    ls "$1" | grep -E '^[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?$' | sort -n || true
+    ls "$1" | grep -E '^[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?$' | sort -g || true
 }
 
 # remove_solution FOLDER
@@ -116,10 +116,29 @@ coeffs { n ($cuts); }
 END
 }
 
+# start FOLDER SUFFIX: gives pulsatile flow the steady one at its first flow rate to start from
+start()
+{
+    rm -rf "$1/start"
+    mkdir "$1/start"
+    ln -s ../constant "$1/start/constant"
+    cp -r "$1/0" "$1/start/0"
+    cp -r system.start "$1/start/system"
+    if [ -f system/fdFunctions ]; then cp system/fdFunctions "$1/start/system/"; fi
+    run "simpleFoam.start$2" simpleFoam -case "$1/start"
+    cp -r "$1/start/$(time_folders "$1/start" | tail -n 1)" "$1/"
+    rm -r "$1/start"
+}
+
 # solve FOLDER SUFFIX: from its start fields, or on from its last ones
 solve()
 {
-    if [ "$continued" ]; then keep_before "$1"; else remove_solution "$1"; fi
+    if [ "$continued" ]; then
+        keep_before "$1"
+    else
+        remove_solution "$1"
+        if [ "$solver" = pimpleFoam ]; then start "$1" "$2"; fi
+    fi
     if [ "$processes" -eq 1 ]; then
         run "$solver$2" "$solver" -case "$1"
     else
@@ -374,10 +393,11 @@ std::string foam_readme(const FoamFlow& flow, const std::vector<FoamOpening>& op
             "Laminar and pulsatile, in a rigid vessel: pimpleFoam over {} cycles of {:.6g} s, the "
             "inflow a table\nin `0/U` that repeats. The last cycle is kept, 20 times of it, and "
             "the "
-            "figures are means over it.\n\nThe flow starts from rest with a jerk, which sets the "
-            "blood in the sac in motion too. Behind a device\nthat dies down slowly, in about a "
-            "second for a sac of 7 mm: look at `postProcessing/sacSpeed`, and raise\n`cycles` "
-            "until one cycle is as the one before.\n",
+            "figures are means over it.\n\nThe flow starts from the steady one at the table's "
+            "first flow "
+            "rate (`system.start/`): from rest, the sudden\nflow would stir the sac, and behind a "
+            "device that dies down in about a second only. Look at\n`postProcessing/sacSpeed`, "
+            "and raise `cycles` until one cycle is as the one before.\n",
             flow.cycles, period(*flow.waveform));
     else
         text += "Laminar and steady, in a rigid vessel: simpleFoam.\n";

@@ -18,12 +18,12 @@ std::string system_header(const char* object)
 std::string steady_control(const FoamSolverPlan& plan)
 {
     return fmt::format(R"(endTime         {};
-deltaT          1;
+deltaT          {};
 writeControl    timeStep;
 writeInterval   200;
 purgeWrite      1;
 )",
-                       plan.most_iterations);
+                       plan.most_iterations * plan.iteration, plan.iteration);
 }
 
 std::string pulsatile_control(const FoamFlow& flow)
@@ -68,6 +68,14 @@ std::string patch_function(const std::string& name, const std::string& patch, co
 std::string solver_name(const FoamFlow& flow)
 {
     return flow.waveform ? "pimpleFoam" : "simpleFoam";
+}
+
+FoamSolverPlan start_of(const FoamSolverPlan& pulsatile)
+{
+    FoamSolverPlan start = pulsatile;
+    start.iteration = 1e-9 * period(*pulsatile.flow.waveform);
+    start.flow.waveform.reset();
+    return start;
 }
 
 std::string control_dict(const FoamSolverPlan& plan)

@@ -15,6 +15,7 @@ namespace braidzone {
 struct FoamSolverPlan {
     double tolerance = 1e-5;  ///< of steady flow [-]
     int most_iterations = 3000;
+    double iteration = 1.0;  ///< by which steady flow's time counts on [s]
     FoamFlow flow = {};
     FoamForm form = FoamForm::zones;         ///< of the device
     std::vector<std::string> openings = {};  ///< patches whose flow rates are written
@@ -27,6 +28,11 @@ std::string solver_name(const FoamFlow& flow);
 /// continued by calling the solver again; pulsatile flow is written 20 times a period, and the last
 /// period is kept.
 std::string control_dict(const FoamSolverPlan& plan);
+
+/// The steady flow from which a pulsatile one starts: simpleFoam at the waveform's first flow rate,
+/// its iterations a billionth of a period each. From rest, the sudden flow would stir the sac, and
+/// behind a device that takes a second to calm down.
+FoamSolverPlan start_of(const FoamSolverPlan& pulsatile);
 
 /// Text of system/fvSchemes: second order in space (convection: linear upwind) and, pulsatile, in
 /// time (backward). On a box with a sac the inflow through the treated neck is 0.6 % off with 50
