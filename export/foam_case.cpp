@@ -7,6 +7,7 @@
 #include "export/foam_figures.hpp"
 #include "export/foam_fluid.hpp"
 #include "export/foam_porous_source.hpp"
+#include "export/foam_readme.hpp"
 #include "export/foam_resistance.hpp"
 #include "export/foam_scripts.hpp"
 #include "export/foam_solver.hpp"

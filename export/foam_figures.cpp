@@ -1,5 +1,6 @@
 #include "export/foam_figures.hpp"
 
+#include "export/foam_function.hpp"
 #include "export/foam_neck.hpp"
 
 #include <fmt/format.h>
@@ -19,25 +20,6 @@ std::string magnitude_function(const char* name, const char* field)
 }}
 )",
                        name, field);
-}
-
-/// `kind` of an integral or mean over `zone`: a volFieldValue or a surfaceFieldValue.
-std::string value_function(const char* name, const char* kind, const char* region, const char* zone,
-                           const char* operation, const char* field)
-{
-    return fmt::format(R"({}
-{{
-    type            {};
-    libs            ("libfieldFunctionObjects.so");
-    regionType      {};
-    name            {};
-    operation       {};
-    fields          ({});
-    writeFields     no;
-    log             no;
-}}
-)",
-                       name, kind, region, zone, operation, field);
 }
 
 constexpr const char* figures_body = R"sh(
@@ -121,13 +103,13 @@ std::string figure_functions(const SacFaces& faces)
     std::string text =
         "// Mean speed in the cell zone \"sac\" [m/s]: postProcessing/sacSpeed/.\n" +
         magnitude_function("speed", "U") +
-        value_function("sacSpeed", "volFieldValue", "cellZone", "sac", "volAverage", "mag(U)");
+        value_function({"sacSpeed", "volFieldValue", "cellZone", "sac", "volAverage", "mag(U)"});
     if (faces.neck)
         text +=
             "// Sum of |flow rate| over the neck, twice the inflow [m^3/s]: "
             "postProcessing/neckFlow/.\n" +
-            value_function("neckFlow", "surfaceFieldValue", "faceZone", sac_neck_zone, "sumMag",
-                           "phi");
+            value_function(
+                {"neckFlow", "surfaceFieldValue", "faceZone", sac_neck_zone, "sumMag", "phi"});
     if (faces.wall)
         text +=
             "// Mean wall shear stress of the sac over rho [m^2/s^2]: "
@@ -139,8 +121,8 @@ std::string figure_functions(const SacFaces& faces)
             "    log             no;\n"
             "}\n" +
             magnitude_function("wallShear", "wallShearStress") +
-            value_function("sacWallShear", "surfaceFieldValue", "faceZone", sac_wall_zone,
-                           "areaAverage", "mag(wallShearStress)");
+            value_function({"sacWallShear", "surfaceFieldValue", "faceZone", sac_wall_zone,
+                            "areaAverage", "mag(wallShearStress)"});
     return text;
 }
 

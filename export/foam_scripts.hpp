@@ -1,11 +1,9 @@
 #pragma once
 
 #include "core/vector.hpp"
-#include "export/foam_flow.hpp"
 #include "export/foam_form.hpp"
 
 #include <string>
-#include <vector>
 
 namespace braidzone {
 
@@ -24,9 +22,5 @@ std::string allrun_script(const FoamRunPlan& plan);
 
 /// The shell script that removes what Allrun made.
 std::string allclean_script();
-
-/// The folder's README.
-std::string foam_readme(const FoamFlow& flow, const std::vector<FoamOpening>& openings,
-                        FoamForm form);
 
 }  // namespace braidzone

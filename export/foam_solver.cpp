@@ -1,6 +1,7 @@
 #include "export/foam_solver.hpp"
 
 #include "export/foam_format.hpp"
+#include "export/foam_function.hpp"
 
 #include <fmt/format.h>
 
@@ -45,22 +46,10 @@ purgeWrite      {kept};
                        fmt::arg("kept", writes_per_period + 1));
 }
 
-std::string patch_function(const std::string& name, const std::string& patch, const char* operation,
-                           const char* field)
+std::string patch_function(const std::string& name, const std::string& patch,
+                           const std::string& operation, const std::string& field)
 {
-    return fmt::format(R"(    {}
-    {{
-        type            surfaceFieldValue;
-        libs            ("libfieldFunctionObjects.so");
-        regionType      patch;
-        name            {};
-        operation       {};
-        fields          ({});
-        writeFields     no;
-        log             no;
-    }}
-)",
-                       name, patch, operation, field);
+    return value_function({name, "surfaceFieldValue", "patch", patch, operation, field});
 }
 
 }  // namespace
@@ -80,9 +69,9 @@ FoamSolverPlan start_of(const FoamSolverPlan& pulsatile)
 
 std::string control_dict(const FoamSolverPlan& plan)
 {
-    std::string functions = "    // Mean kinematic pressure over the inlet [m^2/s^2].\n" +
+    std::string functions = "// Mean kinematic pressure over the inlet [m^2/s^2].\n" +
                             patch_function("inletPressure", "inlet", "areaAverage", "p") +
-                            "    // Flow rates out of the vessel [m^3/s]; negative at the inlet.\n";
+                            "// Flow rates out of the vessel [m^3/s]; negative at the inlet.\n";
     for (const std::string& opening : plan.openings)
         functions += patch_function(opening + "Flow", opening, "sum", "phi");
     return system_header("controlDict") +
@@ -99,7 +88,7 @@ runTimeModifiable no;
 
 functions
 {{
-{}    #includeIfPresent "fdFunctions"
+{}#includeIfPresent "fdFunctions"
 }}
 )",
                        solver_name(plan.flow),

@@ -15,17 +15,6 @@
 
 namespace braidzone::test {
 
-/// Replaces a piece of a file that must be there.
-inline void replace_in(const std::filesystem::path& file, const std::string& old_text,
-                       const std::string& new_text)
-{
-    std::string text = file_text(file);
-    const auto at = text.find(old_text);
-    ASSERT_NE(at, std::string::npos) << old_text << " in " << file;
-    text.replace(at, old_text.size(), new_text);
-    write_text_file(file, text);
-}
-
 /// Writes a case on a mesh made here, with the flow's files and Allrun as the export writes them.
 /// To Allrun it looks meshed; applying the device to it is left to the test (BRAIDZONE=true).
 inline void write_box_case(const std::filesystem::path& folder, const FoamMesh& mesh,

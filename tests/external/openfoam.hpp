@@ -2,6 +2,7 @@
 
 #include "core/csv_fields.hpp"
 #include "export/foam_format.hpp"
+#include "export/text_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +33,17 @@ inline std::string file_text(const std::filesystem::path& file)
     std::ifstream stream(file, std::ios::binary);
     EXPECT_TRUE(stream.good()) << file;
     return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Replaces a piece of a file that must be there.
+inline void replace_in(const std::filesystem::path& file, const std::string& old_text,
+                       const std::string& new_text)
+{
+    std::string text = file_text(file);
+    const auto at = text.find(old_text);
+    ASSERT_NE(at, std::string::npos) << old_text << " in " << file;
+    text.replace(at, old_text.size(), new_text);
+    write_text_file(file, text);
 }
 
 /// Runs a shell command in a folder, its output to `log` there; shows the output's end if it fails.
