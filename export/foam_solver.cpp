@@ -62,6 +62,8 @@ std::string solver_name(const FoamFlow& flow)
 FoamSolverPlan start_of(const FoamSolverPlan& pulsatile)
 {
     FoamSolverPlan start = pulsatile;
+    // Enough for a start; where it stalls, as in a channel without friction, no more is gained.
+    start.most_iterations = 500;
     start.iteration = 1e-9 * period(*pulsatile.flow.waveform);
     start.flow.waveform.reset();
     return start;

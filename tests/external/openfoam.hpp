@@ -35,6 +35,15 @@ inline std::string file_text(const std::filesystem::path& file)
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// The table of a function object over a patch in a run without continuations, whatever the time
+/// that it started from.
+inline std::filesystem::path table_of(const std::filesystem::path& foam_case,
+                                      const std::string& function)
+{
+    const std::filesystem::directory_iterator starts(foam_case / "postProcessing" / function);
+    return starts->path() / "surfaceFieldValue.dat";
+}
+
 /// Replaces a piece of a file that must be there.
 inline void replace_in(const std::filesystem::path& file, const std::string& old_text,
                        const std::string& new_text)

@@ -87,10 +87,8 @@ TEST_F(OpenFoamOutlets, SharesFollowAPulsatileInflow)
     solve(flow);
     EXPECT_NEAR(last("inletFlow") / (0.1 * area), -1.0, 1e-6);
     for (const auto& name : {"outlet_1Flow", "outlet_2Flow"}) {
-        std::istringstream rows(
-            test::file_text(folder_ / "postProcessing" / name / "0/surfaceFieldValue.dat"));
-        std::istringstream inlet_rows(
-            test::file_text(folder_ / "postProcessing/inletFlow/0/surfaceFieldValue.dat"));
+        std::istringstream rows(test::file_text(test::table_of(folder_, name)));
+        std::istringstream inlet_rows(test::file_text(test::table_of(folder_, "inletFlow")));
         const double share = name == std::string("outlet_1Flow") ? 0.25 : 0.75;
         int count = 0;
         for (std::string row, inlet_row; std::getline(rows, row);) {

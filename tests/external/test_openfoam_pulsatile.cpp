@@ -65,12 +65,11 @@ struct Sample {
     double pressure = 0.0;  ///< [Pa]
 };
 
-/// The pressure at the inlet from each file of a run and its continuations.
-std::vector<Sample> inlet_pressure(const std::filesystem::path& folder, const std::string& start)
+/// The pressure at the inlet.
+std::vector<Sample> inlet_pressure(const std::filesystem::path& folder)
 {
     std::vector<Sample> samples;
-    std::istringstream lines(
-        test::file_text(folder / "postProcessing/inletPressure" / start / "surfaceFieldValue.dat"));
+    std::istringstream lines(test::file_text(test::table_of(folder, "inletPressure")));
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
         Sample sample;
@@ -100,7 +99,7 @@ TEST_F(OpenFoamPulsatile, PressureDropIsThatOfTheClosedForm)
     ASSERT_TRUE(test::allrun(folder_, ""));
     double squares = 0.0, largest = 0.0, mean = 0.0, expected_mean = 0.0, last = 0.0;
     int count = 0;
-    for (const Sample& sample : inlet_pressure(folder_, "0")) {
+    for (const Sample& sample : inlet_pressure(folder_)) {
         last = sample.time;
         if (sample.time < one) continue;
         const auto [u, rate] = motion(sample.time);
