@@ -51,8 +51,7 @@ protected:
     /// Last value that a function of the case's controlDict wrote.
     double last(const std::string& function) const
     {
-        return test::last_row(folder_ / "postProcessing" / function / "0/surfaceFieldValue.dat")
-            .at(1);
+        return test::last_row(test::table_of(folder_, function)).at(1);
     }
 
     test::TemporaryFolder temporary_;
