@@ -188,7 +188,7 @@ std::vector<LatticeFile> write_hemoflow(const std::filesystem::path& folder,
                                         const LatticeNodes& nodes, const Vessel& vessel,
                                         const Fluid& fluid, const LatticeFlowOptions& flow)
 {
-    const NodeBox box = box_between_openings(nodes, vessel, "hemoflow").box;
+    const NodeBox box = box_between_openings(nodes, vessel, LatticeTarget::hemoflow).box;
     const double mean_velocity = 0.5 * flow.peak_velocity;
     const double time_step = hemoflow_velocity_lu * nodes.grid.spacing / mean_velocity;
     const double largest =

@@ -127,9 +127,9 @@ Json targets_as_json(const fs::path& folder, const LatticeDescription& lattice)
     for (const WrittenTarget& written : lattice.targets) {
         const TargetTraits& traits = traits_of(written.stability.target);
         Json entry{{"stability", stability_as_json(written.stability)}};
-        if (!traits.takes_any_opening) {
+        if (traits.flat_openings != nullptr) {
             const NodeBox box =
-                box_between_openings(lattice.nodes, lattice.vessel, traits.name).box;
+                box_between_openings(lattice.nodes, lattice.vessel, traits.target).box;
             entry["box"] = {{"first", box.first}, {"dims", box.dims()}};
         }
         if (traits.target == LatticeTarget::lbpm)

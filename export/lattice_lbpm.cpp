@@ -142,7 +142,7 @@ std::vector<LatticeFile> write_lbpm(const std::filesystem::path& folder, const L
                                     const Vessel& vessel, const LatticeUnits& units,
                                     const LatticeFlowOptions& flow)
 {
-    const OpeningBox between = box_between_openings(nodes, vessel, "lbpm");
+    const OpeningBox between = box_between_openings(nodes, vessel, LatticeTarget::lbpm);
     require_inlet_against_outlets(nodes, vessel, between);
     const NodeBox& box = between.box;
     write_nodes<std::uint8_t>(

@@ -13,28 +13,28 @@ constexpr TargetTraits targets[] = {
      .has_linear = true,
      .quadratic_limit = nullptr,
      .has_normal = true,
-     .takes_any_opening = true,
+     .flat_openings = nullptr,
      .bytes_a_node = 1 + 5 * 4},
     {.target = LatticeTarget::openlb,
      .name = "openlb",
      .has_linear = true,
      .quadratic_limit = "the linear part of the resistance only",
      .has_normal = false,
-     .takes_any_opening = true,
+     .flat_openings = nullptr,
      .bytes_a_node = 7},
     {.target = LatticeTarget::palabos,
      .name = "palabos",
      .has_linear = false,
      .quadratic_limit = nullptr,
      .has_normal = false,
-     .takes_any_opening = true,
+     .flat_openings = nullptr,
      .bytes_a_node = 2},
     {.target = LatticeTarget::walberla,
      .name = "walberla",
      .has_linear = false,
      .quadratic_limit = nullptr,
      .has_normal = false,
-     .takes_any_opening = true,
+     .flat_openings = nullptr,
      .bytes_a_node = 1},
     {.target = LatticeTarget::hemoflow,
      .name = "hemoflow",
@@ -42,14 +42,14 @@ constexpr TargetTraits targets[] = {
      .quadratic_limit = "the quadratic part in one ratio to the linear one, on each component of "
                         "the velocity by itself",
      .has_normal = false,
-     .takes_any_opening = false,
+     .flat_openings = "extended",
      .bytes_a_node = 0.1},  // compressed
     {.target = LatticeTarget::lbpm,
      .name = "lbpm",
      .has_linear = true,
      .quadratic_limit = "no quadratic part of the resistance but has one of its own",
      .has_normal = false,
-     .takes_any_opening = false,
+     .flat_openings = "extended_z",
      .bytes_a_node = 1 + 2 * 8},
 };
 
@@ -78,7 +78,7 @@ std::vector<LatticeTarget> default_lattice_targets()
 {
     std::vector<LatticeTarget> of_any_vessel = all_lattice_targets();
     std::erase_if(of_any_vessel,
-                  [](LatticeTarget target) { return !traits_of(target).takes_any_opening; });
+                  [](LatticeTarget target) { return traits_of(target).flat_openings != nullptr; });
     return of_any_vessel;
 }
 

@@ -15,8 +15,10 @@ struct TargetTraits {
     bool has_linear;              ///< takes the linear resistance
     const char* quadratic_limit;  ///< what it takes of the quadratic one; null: all
     bool has_normal;              ///< takes a tensor
-    bool takes_any_opening;       ///< openings need not lie flat on the faces of the box
-    double bytes_a_node;          ///< of its files on the disk, at most
+    /// Value of the key `openings` that lays the openings on the faces of the box as it wants them;
+    /// null: it takes any.
+    const char* flat_openings;
+    double bytes_a_node;  ///< of its files on the disk, at most
 };
 
 const TargetTraits& traits_of(LatticeTarget target);

@@ -43,14 +43,14 @@ struct TypeExtents {
     }
 };
 
-constexpr const char* advice =
-    "state openings = \"extended\" beside targets, or leave this target out";
-
 }  // namespace
 
 OpeningBox box_between_openings(const LatticeNodes& nodes, const Vessel& vessel,
-                                const std::string& target)
+                                LatticeTarget target)
 {
+    const TargetTraits& traits = traits_of(target);
+    const std::string advice = fmt::format(
+        "state openings = \"{}\" beside targets, or leave this target out", traits.flat_openings);
     const TypeExtents extents(nodes);
     OpeningBox result;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -65,8 +65,9 @@ OpeningBox box_between_openings(const LatticeNodes& nodes, const Vessel& vessel,
             throw ConfigError(fmt::format(
                 "export.targets: {} wants openings flat on the faces of the box; that at ({:.4g}, "
                 "{:.4g}, {:.4g}) mm is turned by {:.2g} degrees from an axis; {}",
-                target, 1e3 * opening.centre[0], 1e3 * opening.centre[1], 1e3 * opening.centre[2],
-                std::acos(std::min(1.0, along)) * 180.0 / std::numbers::pi, advice));
+                traits.name, 1e3 * opening.centre[0], 1e3 * opening.centre[1],
+                1e3 * opening.centre[2], std::acos(std::min(1.0, along)) * 180.0 / std::numbers::pi,
+                advice));
         }
         const bool is_upper = opening.normal[direction] > 0.0;
         (is_upper ? result.box.last : result.box.first)[axis] = lowest[axis];
@@ -79,7 +80,7 @@ OpeningBox box_between_openings(const LatticeNodes& nodes, const Vessel& vessel,
         throw ConfigError(fmt::format(
             "export.targets: {} wants openings on the faces of the box, but along {} fluid reaches "
             "from node {} to {} while the openings are at {} and {}; {}",
-            target, "xyz"[axis], lowest[axis], highest[axis], result.box.first[axis],
+            traits.name, "xyz"[axis], lowest[axis], highest[axis], result.box.first[axis],
             result.box.last[axis], advice));
     }
     return result;

@@ -2,9 +2,9 @@
 
 #include "core/vessel.hpp"
 #include "export/lattice_nodes.hpp"
+#include "export/lattice_targets.hpp"
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace braidzone {
@@ -38,6 +38,6 @@ struct OpeningBox {
 /// @throws ConfigError if an opening's nodes are not one layer across an axis, with the angle that
 ///         it is turned by, or fluid lies beyond an opening
 OpeningBox box_between_openings(const LatticeNodes& nodes, const Vessel& vessel,
-                                const std::string& target);
+                                LatticeTarget target);
 
 }  // namespace braidzone

@@ -199,8 +199,8 @@ TEST(ExtendOpenings, MakeALatticeThatNeedsFlatOpenings)
         extend_openings(vessel, {.clearance = extension_clearance(0.1e-3)});
     const LatticeNodes before = make_lattice_nodes(field, vessel, 0);
     const LatticeNodes after = make_lattice_nodes(field, extended.vessel, 0);
-    EXPECT_THROW(box_between_openings(before, vessel, "hemoflow"), ConfigError);
-    const OpeningBox box = box_between_openings(after, extended.vessel, "hemoflow");
+    EXPECT_THROW(box_between_openings(before, vessel, LatticeTarget::hemoflow), ConfigError);
+    const OpeningBox box = box_between_openings(after, extended.vessel, LatticeTarget::hemoflow);
     EXPECT_EQ(box.faces[0].axis, 2);
     EXPECT_NE(box.faces[0].is_upper, box.faces[1].is_upper);
     const double exact = resistance_integral(field);
