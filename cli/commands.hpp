@@ -33,10 +33,11 @@ void apply_case_to_foam(const std::filesystem::path& case_file,
 void check_case(const std::filesystem::path& case_file, const CommonOptions& options);
 
 struct DiagnoseCommand {
-    std::filesystem::path measured;                ///< the device's surface
+    std::vector<std::filesystem::path> measured;   ///< the device's surface; more to learn from
     std::optional<std::string> length_unit;        ///< of its coordinates
     std::optional<std::filesystem::path> scalars;  ///< lengths and end positions (TOML)
     std::optional<std::filesystem::path> noise;    ///< noise floor (JSON)
+    bool calibrate = false;                        ///< learn the noise floor instead
 };
 
 /// diagnose: finds where a measured device differs from the simulated one, names the missing effect
@@ -44,6 +45,11 @@ struct DiagnoseCommand {
 /// `output`: the folder; default `<case name>.diagnosis.out` beside the case.
 void diagnose_case(const std::filesystem::path& case_file, const DiagnoseCommand& command,
                    const CommonOptions& options);
+
+/// diagnose --calibrate: learns the noise floor from measurements in which no effect is missing.
+/// `output`: the file; default `<case name>.noise.json` beside the case.
+void learn_noise_floor(const std::filesystem::path& case_file, const DiagnoseCommand& command,
+                       const CommonOptions& options);
 
 struct CenterlineCommand {
     std::filesystem::path surface;

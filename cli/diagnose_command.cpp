@@ -1,10 +1,11 @@
-#include "cli/case_geometry.hpp"
 #include "cli/commands.hpp"
+#include "cli/diagnosed_case.hpp"
 #include "cli/diagnosis_report.hpp"
 #include "cli/discrepancy_picture.hpp"
 #include "cli/discrepancy_vtp.hpp"
 #include "cli/effect_case.hpp"
 #include "cli/file_hash.hpp"
+#include "cli/output_files.hpp"
 #include "cli/output_folder.hpp"
 #include "cli/progress.hpp"
 #include "cli/result_files.hpp"
@@ -12,6 +13,8 @@
 #include "core/error.hpp"
 #include "discrepancy/diagnosis.hpp"
 #include "discrepancy/measured_surface.hpp"
+#include "discrepancy/measurement_check.hpp"
+#include "discrepancy/noise_calibration.hpp"
 #include "export/text_file.hpp"
 
 #include <fmt/format.h>
@@ -22,32 +25,6 @@ namespace braidzone {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What the effects' fits cannot vary, or not within minutes.
-void require_covered(const Case& job)
-{
-    if (job.second_device) {
-        throw ConfigError(fmt::format("{}: second_device is not covered by diagnose; leave it out",
-                                      job.file.string()));
-    }
-    if (job.deployment.axial == AxialMotion::free) {
-        throw ConfigError(fmt::format(
-            "{}: deployment.axial = \"free\" is not covered by diagnose, which deploys the device "
-            "hundreds of times; set it to \"locked\"",
-            job.file.string()));
-    }
-}
-
-/// The vessel without the case's own wall offset, which the model holds.
-Lumen lumen_of(const Case& job)
-{
-    VesselSource source = job.vessel;
-    source.wall_offset = 0.0;
-    Vessel vessel = read_vessel(source);
-    WallTree wall(vessel);
-    Centerline centerline = resample(find_centerline(source, vessel, wall));
-    return {std::move(vessel), std::move(wall), std::move(centerline)};
-}
 
 MeasuredScalars scalars_of(const DiagnoseCommand& command, const Centerline& centerline)
 {
@@ -65,7 +42,7 @@ nlohmann::ordered_json inputs_as_json(const Case& job, const DiagnoseCommand& co
 {
     nlohmann::ordered_json inputs = {{"case", input_as_json(job.file)},
                                      {"vessel", input_as_json(job.vessel.surface)},
-                                     {"measured", input_as_json(command.measured)}};
+                                     {"measured", input_as_json(command.measured.front())}};
     if (command.scalars) inputs["scalars"] = input_as_json(*command.scalars);
     if (command.noise) inputs["noise"] = input_as_json(*command.noise);
     return inputs;
@@ -86,19 +63,59 @@ void write_effect_cases(const fs::path& folder, const Case& job, const Diagnosis
     }
 }
 
+std::optional<LengthUnit> unit_of(const DiagnoseCommand& command)
+{
+    if (!command.length_unit) return std::nullopt;
+    return length_unit(*command.length_unit);
+}
+
 }  // namespace
+
+void learn_noise_floor(const fs::path& case_file, const DiagnoseCommand& command,
+                       const CommonOptions& options)
+{
+    const Case job = read_diagnosed_case(case_file, options.overrides);
+    if (command.scalars) throw ConfigError("--scalars has no part in --calibrate; leave it out");
+    TextOutput output(
+        options.output.value_or(fs::absolute(case_file).replace_extension(".noise.json")),
+        options.force);
+    Progress progress(options.quiet);
+    progress.begin("vessel", "reading the vessel");
+    const Lumen lumen = lumen_of(job);
+    progress.begin("deploy", "deploying the device");
+    const Model model = model_of(job, lumen.centerline);
+    const Simulation base = simulate(model, lumen);
+    std::vector<CalibrationSet> sets;
+    for (const fs::path& file : command.measured) {
+        Observations observations;
+        observations.points = read_measured_surface(file, unit_of(command));
+        try {
+            require_comparable(observations.points, model.imaging, base, lumen);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+        }
+        observations.field = make_discrepancy_field(observations.points, model.imaging, base);
+        Eigen::VectorXd measured = residuals(observations, base, model.imaging);
+        sets.push_back({std::move(observations), std::move(measured)});
+    }
+    progress.begin("calibrate", "learning the noise floor");
+    const NoiseFloor floor = calibrate_noise_floor(sets);
+    progress.end();
+    output.write(noise_floor_text(floor));
+    if (options.quiet) return;
+    fmt::print("{}  written to {}\n", noise_floor_text(floor), output.path().string());
+}
 
 void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
                    const CommonOptions& options)
 {
-    Case job = read_case(case_file, options.overrides);
-    require_covered(job);
-    job.vessel.surface = fs::absolute(job.vessel.surface).lexically_normal();
-    if (job.vessel.centerline)
-        job.vessel.centerline = fs::absolute(*job.vessel.centerline).lexically_normal();
-    std::optional<LengthUnit> unit;
-    if (command.length_unit) unit = length_unit(*command.length_unit);
-    std::vector<Vec3> points = read_measured_surface(command.measured, unit);
+    if (command.measured.size() != 1) {
+        throw ConfigError(fmt::format(
+            "diagnose takes one measured surface, {} are given; several are for --calibrate",
+            command.measured.size()));
+    }
+    const Case job = read_diagnosed_case(case_file, options.overrides);
+    std::vector<Vec3> points = read_measured_surface(command.measured.front(), unit_of(command));
     DiagnoseOptions diagnose_options;
     if (command.noise) diagnose_options.floor = read_noise_floor(*command.noise);
     OutputFolder folder(
@@ -119,7 +136,7 @@ void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
     progress.begin("export", "writing the results");
     write_discrepancy_picture(folder.path() / "discrepancy.png", diagnosis);
     write_discrepancy_vtp(folder.path() / "discrepancy.vtp", diagnosis, lumen.vessel.unit);
-    write_effect_cases(folder.path(), job, diagnosis, command.measured);
+    write_effect_cases(folder.path(), job, diagnosis, command.measured.front());
     progress.end();
 
     nlohmann::ordered_json json = {{"program", program_name}};

@@ -96,6 +96,12 @@ Json fit_as_json(const EffectFit& fit, const std::vector<NamedEvidence>& named)
     json["log_bayes_factor"] = fit.log_evidence;
     json["log_bayes_factor_unknown_besides"] = evidence->log_evidence_unknown;
     json["chi_square"] = fit.chi_square;
+    for (const FitMode& mode : fit.modes) {
+        Json end = {{"log_bayes_factor", mode.log_evidence}};
+        for (std::size_t i = 0; i < mode.values.size(); ++i)
+            end[fit.parameters[i].name] = mode.values[i] / reported_unit(fit.parameters[i]);
+        json["ends_of_fits"].push_back(end);
+    }
     for (std::size_t i = 0; i < fit.values.size(); ++i) {
         const EffectParameter& parameter = fit.parameters[i];
         const double unit = reported_unit(parameter);
@@ -171,6 +177,25 @@ Json scalars_as_json(const Diagnosis& diagnosis)
     return all;
 }
 
+/// Other places at which the same effect fits about as well, if its fits ended in several.
+std::string other_modes(const EffectFit& fit)
+{
+    constexpr double margin = 3.0;  // a Bayes factor of 20
+    std::string text;
+    for (const FitMode& mode : fit.modes) {
+        if (fit.log_evidence - mode.log_evidence > margin) continue;
+        for (std::size_t i = 0; i < mode.values.size(); ++i) {
+            const double unit = reported_unit(fit.parameters[i]);
+            if (!fit.parameters[i].is_uniform ||
+                std::abs(mode.values[i] - fit.values[i]) < 3.0 * fit.sd[i])
+                continue;
+            text += fmt::format(" It fits about as well at {} = {:.4g} {}.", fit.parameters[i].name,
+                                mode.values[i] / unit, fit.parameters[i].unit);
+        }
+    }
+    return text;
+}
+
 /// The known effect that comes nearest to an unknown one.
 std::string nearest_known(const Diagnosis& diagnosis)
 {
@@ -203,7 +228,8 @@ std::string diagnosis_answer(const Diagnosis& diagnosis, const std::vector<Effec
     const EffectFit& fit = diagnosis.fits[*diagnosis.best];
     if (verdict.finding == Finding::named) {
         text = fmt::format("{}: {} ({}).", fit.effect, effect_named(catalogue, fit.effect).title,
-                           fmt::join(parameter_texts(fit), ", "));
+                           fmt::join(parameter_texts(fit), ", ")) +
+               other_modes(fit);
     } else {
         text = fmt::format("One of {}; the data do not tell them apart. What would: {}.",
                            fmt::join(verdict.effects, ", "),

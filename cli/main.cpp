@@ -156,18 +156,28 @@ void add_diagnose_verb(CLI::App& app, Arguments& arguments)
 {
     CLI::App& verb = add_case_verb(
         app, arguments, "diagnose",
-        "find where a measured device differs from the simulated one, and why",
-        [&arguments] { diagnose_case(arguments.case_file, arguments.diagnose, arguments.common); });
+        "find where a measured device differs from the simulated one, and why", [&arguments] {
+            if (arguments.diagnose.calibrate) {
+                learn_noise_floor(arguments.case_file, arguments.diagnose, arguments.common);
+            } else {
+                diagnose_case(arguments.case_file, arguments.diagnose, arguments.common);
+            }
+        });
     DiagnoseCommand& command = arguments.diagnose;
     verb.add_option("--measured", command.measured,
-                    "the device's surface: STL, VTP, VTK, PLY, OBJ, or points as CSV or XYZ")
-        ->required();
+                    "the device's surface: STL, VTP, VTK, PLY, OBJ, or points as CSV or XYZ; "
+                    "repeatable with --calibrate")
+        ->required()
+        ->allow_extra_args(false);
     verb.add_option("--length-unit", command.length_unit,
                     "of the measured coordinates: m, cm, mm, um (CSV: stated in its header)");
     verb.add_option("--scalars", command.scalars, "measured length and end positions (TOML)");
     verb.add_option("--noise", command.noise, "noise floor (JSON; default: shipped values)");
+    verb.add_flag("--calibrate", command.calibrate,
+                  "learn the noise floor from several measurements without an effect");
     add_output_options(verb, arguments.common,
-                       "folder for the results (default: CASE.diagnosis.out beside the case)");
+                       "folder for the results (default: CASE.diagnosis.out beside the case), or "
+                       "file of the noise floor (CASE.noise.json)");
 }
 
 void add_devices_verb(CLI::App& app, Arguments& arguments)

@@ -68,16 +68,27 @@ double mass_of(const std::vector<int>& set, const Eigen::VectorXd& t)
     return mass;
 }
 
-/// Largest cluster mass of each map drawn without an effect, increasing.
-std::vector<double> null_masses(const Eigen::MatrixXd& standardising, const Eigen::MatrixXd& factor,
-                                const std::vector<std::vector<int>>& beside,
-                                const ClusterOptions& options)
+double peak_of(const std::vector<int>& set, const Eigen::VectorXd& t)
+{
+    double peak = 0.0;
+    for (const int patch : set)
+        peak = std::max(peak, std::abs(t[patch]));
+    return peak;
+}
+
+/// Largest cluster mass and largest |t| of each map drawn without an effect, increasing.
+struct NullMaps {
+    std::vector<double> masses, peaks;
+};
+
+NullMaps null_maps(const Eigen::MatrixXd& standardising, const Eigen::MatrixXd& factor,
+                   const std::vector<std::vector<int>>& beside, const ClusterOptions& options)
 {
     const Eigen::MatrixXd map_of_noise = standardising * factor;
     std::mt19937 random(options.seed);
     std::normal_distribution<double> normal;
     Eigen::VectorXd noise(map_of_noise.cols());
-    std::vector<double> masses;
+    NullMaps maps;
     for (int draw = 0; draw < options.num_draws; ++draw) {
         for (Eigen::Index i = 0; i < noise.size(); ++i)
             noise[i] = normal(random);
@@ -85,10 +96,19 @@ std::vector<double> null_masses(const Eigen::MatrixXd& standardising, const Eige
         double largest = 0.0;
         for (const auto& set : connected(t, options.threshold, beside))
             largest = std::max(largest, mass_of(set, t));
-        masses.push_back(largest);
+        maps.masses.push_back(largest);
+        maps.peaks.push_back(t.cwiseAbs().maxCoeff());
     }
-    std::sort(masses.begin(), masses.end());
-    return masses;
+    std::sort(maps.masses.begin(), maps.masses.end());
+    std::sort(maps.peaks.begin(), maps.peaks.end());
+    return maps;
+}
+
+/// Share of values that reach a value, itself counted in.
+double share_reaching(const std::vector<double>& sorted, double value)
+{
+    const auto above = sorted.end() - std::lower_bound(sorted.begin(), sorted.end(), value);
+    return (1.0 + static_cast<double>(above)) / (1.0 + static_cast<double>(sorted.size()));
 }
 
 Cluster describe(const std::vector<int>& set, const DiscrepancyField& field,
@@ -153,14 +173,13 @@ DiscrepancyMap make_discrepancy_map(const DiscrepancyField& field, const ErrorMo
     map.smoothed = smoothing * medians;
     map.t = map.smoothed.cwiseQuotient(sd);
     const auto beside = neighbours(field);
-    const auto masses =
-        null_masses(sd.cwiseInverse().asDiagonal() * smoothing, lower, beside, options);
+    const NullMaps null =
+        null_maps(sd.cwiseInverse().asDiagonal() * smoothing, lower, beside, options);
     for (const auto& set : connected(map.t, options.threshold, beside)) {
         Cluster cluster = describe(set, field, map);
-        const auto above =
-            masses.end() - std::lower_bound(masses.begin(), masses.end(), cluster.mass);
         cluster.p_family_wise =
-            (1.0 + static_cast<double>(above)) / (1.0 + static_cast<double>(masses.size()));
+            std::min(1.0, 2.0 * std::min(share_reaching(null.masses, cluster.mass),
+                                         share_reaching(null.peaks, peak_of(set, map.t))));
         map.clusters.push_back(std::move(cluster));
     }
     std::stable_sort(

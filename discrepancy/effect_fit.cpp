@@ -54,8 +54,11 @@ public:
         return x;
     }
 
-    double lower(Eigen::Index i) const { return bound(i, parameters_[index(i)].lower); }
-    double upper(Eigen::Index i) const { return bound(i, parameters_[index(i)].upper); }
+    double upper(Eigen::Index i) const
+    {
+        const EffectParameter& p = parameters_[index(i)];
+        return (p.upper - p.prior_mean) / p.prior_sd;
+    }
 
     /// Residuals [m] at several places, in parallel. An empty vector where the effect cannot be
     /// simulated.
@@ -126,12 +129,6 @@ public:
     const std::string& failure() const { return failure_; }
 
 private:
-    double bound(Eigen::Index i, double value) const
-    {
-        const EffectParameter& p = parameters_[index(i)];
-        return (value - p.prior_mean) / p.prior_sd;
-    }
-
     const Effect& effect_;
     const FitProblem& problem_;
     std::vector<EffectParameter> parameters_;
@@ -180,7 +177,16 @@ private:
     Eigen::Index num_data_;
 };
 
-/// The starts with the best fingerprints, best first.
+/// A start that takes less off the misfit is not worth a fit.
+constexpr double least_reduction = 2.0;
+
+/// True if two starts differ in more than the amplitude.
+bool lie_apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
+{
+    return (a - b).tail(a.size() - 1).norm() > 0.0;
+}
+
+/// The starts that leave the smallest misfit, best first; none if no start helps.
 std::vector<Eigen::VectorXd> best_starts(EffectResiduals& residuals, const Effect& effect,
                                          const FitProblem& problem, const FitOptions& options)
 {
@@ -188,22 +194,24 @@ std::vector<Eigen::VectorXd> best_starts(EffectResiduals& residuals, const Effec
     for (const auto& values : effect.starts(problem.setting))
         starts.push_back(residuals.scaled(values));
     if (starts.size() == 1) return starts;
-    const Eigen::VectorXd base = problem.whitening(problem.base_residuals);
+    const double base = problem.whitening(problem.base_residuals).squaredNorm();
     const std::vector<Eigen::VectorXd> simulated = residuals.at(starts);
-    std::vector<std::pair<double, std::size_t>> scores;
+    std::vector<std::pair<double, std::size_t>> misfits;
     for (std::size_t i = 0; i < starts.size(); ++i) {
-        if (simulated[i].size() == 0) continue;
-        const Eigen::VectorXd fingerprint = problem.whitening(simulated[i]) - base;
-        const double square = fingerprint.squaredNorm();
-        const double along = -fingerprint.dot(base);
-        // A fingerprint that only helps with the other sign is another effect's.
-        scores.emplace_back(square > 0.0 && along > 0.0 ? along * along / square : 0.0, i);
+        if (simulated[i].size() > 0)
+            misfits.emplace_back(problem.whitening(simulated[i]).squaredNorm(), i);
     }
-    std::stable_sort(scores.begin(), scores.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::stable_sort(misfits.begin(), misfits.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Eigen::VectorXd> best;
-    for (const auto& [score, i] : scores) {
-        if (static_cast<int>(best.size()) < options.num_starts) best.push_back(starts[i]);
+    for (const auto& [misfit, i] : misfits) {
+        if (base - misfit < least_reduction || static_cast<int>(best.size()) == options.num_starts)
+            break;
+        const Eigen::VectorXd& start = starts[i];
+        if (std::all_of(best.begin(), best.end(),
+                        [&](const Eigen::VectorXd& other) { return lie_apart(start, other); })) {
+            best.push_back(start);
+        }
     }
     return best;
 }
@@ -213,11 +221,8 @@ Eigen::VectorXd minimised(EffectResiduals& residuals, Eigen::Index num_data, Eig
                           const FitOptions& options)
 {
     ceres::Problem problem;
+    // Bounds are kept by `EffectResiduals::values`; Ceres' own take a line search at each step.
     problem.AddResidualBlock(new PosteriorRows(residuals, num_data), nullptr, x.data());
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-        problem.SetParameterLowerBound(x.data(), static_cast<int>(i), residuals.lower(i));
-        problem.SetParameterUpperBound(x.data(), static_cast<int>(i), residuals.upper(i));
-    }
     ceres::Solver::Options solver;
     solver.linear_solver_type = ceres::DENSE_QR;
     solver.logging_type = ceres::SILENT;
@@ -228,7 +233,7 @@ Eigen::VectorXd minimised(EffectResiduals& residuals, Eigen::Index num_data, Eig
     solver.parameter_tolerance = 1e-3;
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &problem, &summary);
-    return x;
+    return residuals.scaled(residuals.values(x));
 }
 
 /// The fit at parameters; none if the effect cannot be simulated there.
@@ -257,6 +262,15 @@ std::optional<EffectFit> fit_at(EffectResiduals& residuals, const Effect& effect
     return fit;
 }
 
+/// The first start with an amplitude of zero, which is no effect.
+Eigen::VectorXd without_amplitude(const EffectResiduals& residuals, const Effect& effect,
+                                  const FitProblem& problem)
+{
+    std::vector<double> values = effect.starts(problem.setting).front();
+    values.front() = 0.0;
+    return residuals.scaled(values);
+}
+
 }  // namespace
 
 Eigen::VectorXd residuals_of(const Model& model, bool changes_deployment, const FitProblem& problem)
@@ -268,12 +282,17 @@ Eigen::VectorXd residuals_of(const Model& model, bool changes_deployment, const 
 EffectFit fit_effect(const Effect& effect, const FitProblem& problem, const FitOptions& options)
 {
     EffectResiduals residuals(effect, problem);
+    std::vector<Eigen::VectorXd> ends;
+    for (const Eigen::VectorXd& start : best_starts(residuals, effect, problem, options))
+        ends.push_back(minimised(residuals, problem.base_residuals.size(), start, options));
+    if (ends.empty()) ends.push_back(without_amplitude(residuals, effect, problem));
     std::optional<EffectFit> best;
-    for (const Eigen::VectorXd& start : best_starts(residuals, effect, problem, options)) {
-        const Eigen::VectorXd x =
-            minimised(residuals, problem.base_residuals.size(), start, options);
+    std::vector<FitMode> modes;
+    for (const Eigen::VectorXd& x : ends) {
         const auto fit = fit_at(residuals, effect, problem, x);
-        if (fit && (!best || fit->log_evidence > best->log_evidence)) best = fit;
+        if (!fit) continue;
+        modes.push_back({fit->values, fit->log_evidence});
+        if (!best || fit->log_evidence > best->log_evidence) best = fit;
     }
     if (!best) {
         best.emplace();
@@ -282,6 +301,7 @@ EffectFit fit_effect(const Effect& effect, const FitProblem& problem, const FitO
         best->log_evidence = -std::numeric_limits<double>::infinity();
         best->failure = residuals.failure();
     }
+    best->modes = modes;
     best->num_runs = residuals.num_runs();
     return *best;
 }

@@ -20,6 +20,12 @@ struct FitProblem {
     const Eigen::VectorXd& base_residuals;  ///< of the case as it is [m]
 };
 
+/// Where a fit ended.
+struct FitMode {
+    std::vector<double> values;  ///< [SI]
+    double log_evidence = 0.0;
+};
+
 /// An effect with the parameters that fit best.
 struct EffectFit {
     std::string effect;
@@ -29,14 +35,15 @@ struct EffectFit {
     Eigen::VectorXd residuals;   ///< [m]
     double chi_square = 0.0;     ///< of the whitened residuals
     double log_evidence = 0.0;   ///< natural logarithm of the Bayes factor against no effect
+    std::vector<FitMode> modes;  ///< where the fits from all starts ended
     int num_runs = 0;            ///< deployments that it took
     /// Why the effect could not be simulated; empty if it could.
     std::string failure;
 };
 
 struct FitOptions {
-    int num_starts = 2;  ///< fitted out of the starts, those with the best fingerprints
-    int max_iterations = 10;
+    int num_starts = 3;  ///< fitted out of the starts, those that leave the smallest misfit
+    int max_iterations = 8;
 };
 
 /// Residuals of a model [m].
@@ -48,8 +55,10 @@ Eigen::VectorXd residuals_of(const Model& model, bool changes_deployment,
 /// the whitened residuals, with a row for each normal prior and derivatives by finite differences
 /// of `EffectParameter::step`, large against the deployment's roughness.
 ///
-/// An effect with several starts is simulated at each; those whose change of the residuals, scaled
-/// as it suits best, takes most off the sum of squares are fitted.
+/// An effect with several starts is simulated at each; those that leave the smallest misfit, at
+/// places of their own, are fitted, none if no start takes 2 or more off the sum of squares. A
+/// start that leaves a small misfit is a fingerprint at a finite amplitude: contact makes that of
+/// an infinitesimal one misleading.
 ///
 /// Its log evidence is Laplace's, with parameters scaled by their priors, whitened residuals z, S
 /// their derivatives, and x those with a normal prior:

@@ -12,7 +12,9 @@ Effect local_pull_effect()
     const auto parameters = [](const EffectSetting& setting) {
         return window_parameters(setting, 0.25, 0.0, 0.8);
     };
-    const auto starts = [](const EffectSetting& setting) { return window_starts(setting, 0.2); };
+    const auto starts = [](const EffectSetting& setting) {
+        return window_starts(setting, {0.2, 0.4});
+    };
     return {"local_pull", "the operator pulled",
             true,         "the positions of the end markers, or a map of the wire density",
             parameters,   starts,

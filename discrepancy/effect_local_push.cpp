@@ -13,7 +13,9 @@ Effect local_push_effect()
     const auto parameters = [](const EffectSetting& setting) {
         return window_parameters(setting, 0.4, -0.85, 0.0);
     };
-    const auto starts = [](const EffectSetting& setting) { return window_starts(setting, -0.3); };
+    const auto starts = [](const EffectSetting& setting) {
+        return window_starts(setting, {-0.3, -0.55});
+    };
     return {"local_push", "the operator pushed",
             true,         "the positions of the end markers, or a map of the wire density",
             parameters,   starts,

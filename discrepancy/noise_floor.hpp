@@ -12,7 +12,7 @@ struct NoiseFloor {
     /// Correlated imperfections of vessel, device and segmentation.
     double background_sd = 0.026e-3;      ///< [m]
     double background_length = 2.2e-3;    ///< over which their correlation falls to 1/e [m]
-    double offset_sd = 0.01e-3;           ///< of the whole segmented surface [m]
+    double offset_sd = 0.02e-3;           ///< of the whole segmented surface [m]
     double shift_sd = 0.07e-3;            ///< of the registration, along each axis [m]
     double angle_sd = 0.013089969389957;  ///< of the registration, about each axis: 0.75 deg [rad]
     double white_scale = 1.0;             ///< on the variance of the patches' medians [-]

@@ -14,15 +14,18 @@ std::vector<EffectParameter> window_parameters(const EffectSetting& setting, dou
             uniform_parameter("centre", "mm", setting.from, setting.to, 0.3e-3), half_width};
 }
 
-std::vector<std::vector<double>> window_starts(const EffectSetting& setting, double change)
+std::vector<std::vector<double>> window_starts(const EffectSetting& setting,
+                                               const std::vector<double>& changes)
 {
     constexpr double half_width = 2e-3;
     constexpr double wanted_step = 2.5e-3;
     const double first = setting.from + half_width, last = setting.to - half_width;
     const int gaps = std::max(1, static_cast<int>(std::lround((last - first) / wanted_step)));
     std::vector<std::vector<double>> starts;
-    for (int i = 0; i <= gaps; ++i)
-        starts.push_back({change, first + (last - first) * i / gaps, half_width});
+    for (const double change : changes) {
+        for (int i = 0; i <= gaps; ++i)
+            starts.push_back({change, first + (last - first) * i / gaps, half_width});
+    }
     return starts;
 }
 

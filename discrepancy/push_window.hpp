@@ -11,8 +11,9 @@ namespace braidzone {
 std::vector<EffectParameter> window_parameters(const EffectSetting& setting, double sd,
                                                double lower, double upper);
 
-/// Starts every 2.5 mm along the device, at one change of spacing.
-std::vector<std::vector<double>> window_starts(const EffectSetting& setting, double change);
+/// Starts every 2.5 mm along the device, at each of some changes of spacing.
+std::vector<std::vector<double>> window_starts(const EffectSetting& setting,
+                                               const std::vector<double>& changes);
 
 /// The base model with the stretch, cut off at the device's distal end.
 /// @throws ConfigError if the schedule holds a stretch there already, or is a table

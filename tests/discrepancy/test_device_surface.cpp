@@ -22,7 +22,7 @@ TEST(DeviceSurface, MeasuresSignedDistanceToACylinder)
                 surface.nearest({r * std::cos(angle), r * std::sin(angle), 5.1e-3});
             EXPECT_GE(foot.distance, distance - 1e-9);
             EXPECT_LE(foot.distance, distance + sagitta + 1e-9);
-            EXPECT_NEAR(foot.arc_length, 5.1e-3, 2e-5);
+            EXPECT_NEAR(foot.arc_length, 5.1e-3, 1e-4);  // half a ring spacing: rhombi are flat
             EXPECT_NEAR(std::remainder(foot.angle - angle, 2.0 * std::numbers::pi), 0.0, 0.02);
             EXPECT_NEAR(foot.normal.dot(Vec3(std::cos(angle), std::sin(angle), 0.0)), 1.0, 1e-2);
             EXPECT_FALSE(foot.is_on_rim);

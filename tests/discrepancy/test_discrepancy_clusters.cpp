@@ -41,7 +41,7 @@ TEST(DiscrepancyMap, PlacesABump)
     const Vec3 place(2e-3 * std::cos(angle), 2e-3 * std::sin(angle), 9e-3);
     for (Eigen::Index i = 0; i < medians.size(); ++i) {
         const Vec3& centre = observations.field.patches[static_cast<std::size_t>(i)].centre;
-        medians[i] += 0.25e-3 * std::exp(-0.5 * (centre - place).squaredNorm() / 1.5e-6);
+        medians[i] += 0.4e-3 * std::exp(-0.5 * (centre - place).squaredNorm() / 1.5e-6);
     }
     const DiscrepancyMap map = make_discrepancy_map(observations.field, error, medians);
     ASSERT_FALSE(map.clusters.empty());

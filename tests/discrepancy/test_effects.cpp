@@ -87,7 +87,7 @@ TEST(Effects, PushOverAStretch)
 TEST(Effects, StartAPushAllAlongTheDevice)
 {
     const auto starts = effect("local_push").starts(setting());
-    EXPECT_EQ(starts.size(), 7u);
+    EXPECT_EQ(starts.size(), 14u);  // at two changes of the spacing
     EXPECT_DOUBLE_EQ(starts.front()[1], 7e-3);
     EXPECT_DOUBLE_EQ(starts.back()[1], 23e-3);
 }

@@ -13,7 +13,8 @@ namespace braidzone {
 
 TEST(ErrorModel, HasTheStatedCovariance)
 {
-    const Observations observations{.points = {}, .field = test::cylinder_field(6, 2e-3)};
+    const Observations observations{
+        .points = {}, .field = test::cylinder_field(6, 2e-3), .scalars = {}};
     NoiseFloor floor;
     floor.white_scale = 1.2;
     const Eigen::MatrixXd covariance = make_error_model(observations, floor).covariance();
@@ -28,18 +29,18 @@ TEST(ErrorModel, HasTheStatedCovariance)
     };
     const double distance = (patches[3].centre - patches[17].centre).norm();
     const double expected = std::pow(0.026e-3, 2) * std::exp(-distance / 2.2e-3) +
-                            std::pow(0.01e-3, 2) + motion(3).dot(motion(17));
+                            std::pow(0.02e-3, 2) + motion(3).dot(motion(17));
     EXPECT_NEAR(covariance(3, 17), expected, 1e-6 * expected);
     const double white = 1.2 * 1.57 * std::pow(test::patch_point_sd, 2) / test::patch_points;
     const double variance =
-        white + std::pow(0.026e-3, 2) + std::pow(0.01e-3, 2) + motion(3).squaredNorm();
+        white + std::pow(0.026e-3, 2) + std::pow(0.02e-3, 2) + motion(3).squaredNorm();
     EXPECT_NEAR(covariance(3, 3), variance, 1e-6 * variance);
 }
 
 // Ends: the landing moves both, an error of the length the proximal end only.
 TEST(ErrorModel, GivesTheScalarsABlockOfTheirOwn)
 {
-    Observations observations{.points = {}, .field = test::cylinder_field(2, 2e-3)};
+    Observations observations{.points = {}, .field = test::cylinder_field(2, 2e-3), .scalars = {}};
     observations.scalars.values = {MeasuredValue{25e-3, 0.3e-3}, MeasuredValue{5e-3, 0.2e-3},
                                    MeasuredValue{20e-3, 0.1e-3}};
     const Eigen::MatrixXd all = make_error_model(observations, NoiseFloor{}).covariance();
@@ -55,7 +56,8 @@ TEST(ErrorModel, GivesTheScalarsABlockOfTheirOwn)
 
 TEST(Whitening, MakesTheCovarianceTheIdentity)
 {
-    const Observations observations{.points = {}, .field = test::cylinder_field(5, 2e-3)};
+    const Observations observations{
+        .points = {}, .field = test::cylinder_field(5, 2e-3), .scalars = {}};
     const Eigen::MatrixXd covariance = make_error_model(observations, {}).covariance();
     const Whitening whitening(covariance);
     const Eigen::MatrixXd white =
@@ -73,7 +75,8 @@ TEST(Whitening, RefusesWhatIsNoCovariance)
 // Drawn at 1 and at 2.5 times the background, 16 maps each.
 TEST(BackgroundScale, TellsATooSmallNoiseFloor)
 {
-    const Observations observations{.points = {}, .field = test::cylinder_field(20, 2e-3)};
+    const Observations observations{
+        .points = {}, .field = test::cylinder_field(20, 2e-3), .scalars = {}};
     const ErrorModel error = make_error_model(observations, {});
     for (const double scale : {1.0, 2.5}) {
         NoiseFloor larger;

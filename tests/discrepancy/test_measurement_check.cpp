@@ -80,6 +80,21 @@ TEST(RequireComparable, SaysHowFarAwayTheScanLies)
     EXPECT_THAT(message, HasSubstr("register it first"));
 }
 
+TEST(RequireComparable, RefusesASpot)
+{
+    const Scene scene;
+    std::vector<Vec3> spot(100, Vec3(2e-3, 0.0, 5e-3));
+    spot.front().z() += 1e-3;
+    try {
+        require_comparable(spot, {}, scene.simulation, scene.lumen);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("the measured surface is 1 mm large about (2, 0, 5.01) "
+                                            "mm, less than 20 % of the simulated device's 11.49 "
+                                            "mm, and no length unit makes it fit"));
+    }
+}
+
 TEST(RequireComparable, RefusesAFewPoints)
 {
     EXPECT_THAT(Scene().refusal(1.0, Vec3::Zero(), 49),

@@ -60,8 +60,8 @@ TEST(UnknownEffect, SaysNothingAboutScalars)
     EXPECT_DOUBLE_EQ(unknown.log_evidence(whitening(residuals)), without);
 }
 
-// K (C + K)^-1 r at the best amplitude and length; a dent far above the noise comes back nearly
-// whole.
+// K (C + K)^-1 r at the best amplitude and length: where the dent is, most of it comes back, and
+// hardly anything 6 mm away.
 TEST(UnknownEffect, FindsADent)
 {
     const Observations observations = cylinder(16);
@@ -77,7 +77,9 @@ TEST(UnknownEffect, FindsADent)
     const Eigen::VectorXd mean = unknown.mean_field(whitening(residuals));
     Eigen::Index deepest = 0;
     residuals.minCoeff(&deepest);
-    EXPECT_NEAR(mean[deepest], residuals[deepest], 0.25 * std::abs(residuals[deepest]));
+    EXPECT_LT(mean[deepest], 0.5 * residuals[deepest]);
+    EXPECT_GT(mean[deepest], 1.1 * residuals[deepest]);
+    EXPECT_LT(std::abs(mean[mean.size() - 1]), 0.03e-3);
 }
 
 TEST(UnknownEffect, IsRarelySeenInNoise)

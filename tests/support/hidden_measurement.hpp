@@ -74,6 +74,7 @@ struct Nuisances {
 /// What is hidden.
 struct Hidden {
     std::vector<SpacingPoint> spacing = {};  ///< ring spacing along the vessel
+    double centre = 0.0;                     ///< of the push or pull in it, for the scorer [m]
     double diameter_change = 0.0;            ///< [m]
     double ratio_change = 0.0;               ///< relative
     double landing_offset = 0.0;             ///< [m]
@@ -92,19 +93,22 @@ struct HiddenMeasurement {
     Deployment deployment;
 };
 
-/// Ring spacing with one smooth, skewed dip or rise: lambda = 1 + change sin^2 over a stretch whose
-/// distal flank is one and a half times as long as its proximal one.
+/// Ring spacing with one smooth dip or rise: a plateau about the centre, whose distal flank is half
+/// again as long as its proximal one; half as high a half-width from the centre on either side.
 inline std::vector<SpacingPoint> smooth_spacing(double centre, double half_width, double change)
 {
     std::vector<SpacingPoint> table = {{0.0, 1.0}};
-    const double proximal = 1.6 * half_width, distal = 2.4 * half_width;
-    constexpr int steps = 12;
-    for (int i = 0; i <= 2 * steps; ++i) {
-        const double x = (i - steps) / static_cast<double>(steps);  // -1 to 1
-        const double s = centre + (x < 0.0 ? proximal : distal) * x;
-        const double rise = std::pow(std::cos(0.5 * std::numbers::pi * x), 2);
-        table.push_back({s, 1.0 + change * rise});
-    }
+    const double proximal = 0.8 * half_width, distal = 1.2 * half_width;  // lengths of the flanks
+    constexpr int steps = 10;
+    const auto add_flank = [&](double from, double to, double turned_round) {
+        for (int i = 0; i <= steps; ++i) {
+            const double x = std::abs(turned_round - static_cast<double>(i) / steps);
+            table.push_back({from + (to - from) * i / steps,
+                             1.0 + change * std::pow(std::sin(0.5 * std::numbers::pi * x), 2)});
+        }
+    };
+    add_flank(centre - half_width - 0.5 * proximal, centre - half_width + 0.5 * proximal, 0.0);
+    add_flank(centre + half_width - 0.5 * distal, centre + half_width + 0.5 * distal, 1.0);
     return table;
 }
 

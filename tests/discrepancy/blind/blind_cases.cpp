@@ -2,13 +2,15 @@
 // support/hidden_measurement.hpp with one effect (or none, or one that the catalogue does not know)
 // hidden in it, and diagnosed as a user would. One line of CSV a case; see README.md beside this.
 //
-//     blind_cases EFFECT FIRST_SEED COUNT
+//     blind_cases EFFECT FIRST_SEED COUNT [NOISE.json]
+//     blind_cases calibrate FIRST_SEED COUNT > NOISE.json
 //
 // blind_cases hidden_push FOLDER writes the data of cases/hidden_push instead.
 
 #include "core/centerline_io.hpp"
 #include "core/phantom_file.hpp"
 #include "discrepancy/diagnosis.hpp"
+#include "discrepancy/noise_calibration.hpp"
 #include "support/devices_of_any_size.hpp"
 #include "support/hidden_measurement.hpp"
 
@@ -77,11 +79,12 @@ Hidden random_effect(const std::string& effect, const Belief& belief, const Lume
     const double neck = *belief.phantom.sacs.front().position;
     Hidden hidden;
     if (effect == "local_push") {
-        hidden.spacing = smooth_spacing(neck + between(-1e-3, 1e-3), between(1.4e-3, 2.2e-3),
-                                        -between(0.3, 0.66));
+        hidden.centre = neck + between(-1e-3, 1e-3);
+        hidden.spacing =
+            smooth_spacing(hidden.centre, between(1.4e-3, 2.0e-3), -between(0.3, 0.66));
     } else if (effect == "local_pull") {
-        hidden.spacing = smooth_spacing(along_device(belief, random), between(1.4e-3, 2.2e-3),
-                                        between(0.2, 0.45));
+        hidden.centre = along_device(belief, random);
+        hidden.spacing = smooth_spacing(hidden.centre, between(1.4e-3, 2.0e-3), between(0.2, 0.45));
     } else if (effect == "nominal_diameter") {
         hidden.diameter_change = sign * between(0.2e-3, 0.4e-3);
     } else if (effect == "landing_offset") {
@@ -144,7 +147,38 @@ Lumen believed_lumen(const Phantom& phantom)
     return {std::move(vessel), std::move(wall), resample(made.centerline)};
 }
 
-void print_case(const std::string& effect, std::uint32_t seed)
+Model model_of(const Belief& belief)
+{
+    Model model;
+    model.device = belief.device;
+    model.landing_distal = belief.landing;
+    return model;
+}
+
+/// A measurement without an effect, as a set to learn from.
+CalibrationSet calibration_set(std::uint32_t seed)
+{
+    std::mt19937 random(seed);
+    const Belief belief = random_belief(random);
+    const HiddenMeasurement measured =
+        hidden_measurement(belief.phantom, belief.device, belief.landing, {}, seed + 1000000);
+    const Simulation base = simulate(model_of(belief), believed_lumen(belief.phantom));
+    CalibrationSet set;
+    set.observations = {measured.points, make_discrepancy_field(measured.points, {}, base),
+                        measured.ends};
+    set.residuals = residuals(set.observations, base, {});
+    return set;
+}
+
+void print_noise_floor(std::uint32_t first, int count)
+{
+    std::vector<CalibrationSet> sets;
+    for (int i = 0; i < count; ++i)
+        sets.push_back(calibration_set(first + static_cast<std::uint32_t>(i)));
+    fmt::print("{}", noise_floor_text(calibrate_noise_floor(sets)));
+}
+
+void print_case(const std::string& effect, std::uint32_t seed, const NoiseFloor& floor)
 {
     std::mt19937 random(seed);
     const Belief belief = random_belief(random);
@@ -152,21 +186,13 @@ void print_case(const std::string& effect, std::uint32_t seed)
     const Hidden hidden = random_effect(effect, belief, lumen, random);
     const HiddenMeasurement measured =
         hidden_measurement(belief.phantom, belief.device, belief.landing, hidden, seed + 1000000);
-    const Model model{.device = belief.device,
-                      .landing_distal = belief.landing,
-                      .schedule = {},
-                      .options = {},
-                      .imaging = {}};
-    const Diagnosis found =
-        diagnose(model, lumen, measured.points, measured.ends, effect_catalogue());
+    DiagnoseOptions options;
+    options.floor = floor;
+    const Diagnosis found = diagnose(model_of(belief), lumen, measured.points, measured.ends,
+                                     effect_catalogue(), options);
     double location_error = std::nan("");
     if (found.best && !hidden.spacing.empty() && found.fits[*found.best].values.size() == 3) {
-        const auto extreme =
-            std::max_element(hidden.spacing.begin(), hidden.spacing.end(),
-                             [](const SpacingPoint& a, const SpacingPoint& b) {
-                                 return std::abs(a.spacing - 1.0) < std::abs(b.spacing - 1.0);
-                             });
-        location_error = 1e3 * (found.fits[*found.best].values[1] - extreme->arc_length);
+        location_error = 1e3 * (found.fits[*found.best].values[1] - hidden.centre);
     }
     std::string evidence;
     for (const NamedEvidence& named : found.named)
@@ -215,12 +241,17 @@ int main(int argc, char** argv)
         write_hidden_push(argv[2]);
         return 0;
     }
-    if (argc != 4) {
-        fmt::print(stderr, "usage: blind_cases EFFECT FIRST_SEED COUNT\n");
+    if (argc != 4 && argc != 5) {
+        fmt::print(stderr, "usage: blind_cases EFFECT FIRST_SEED COUNT [NOISE]\n");
         return 2;
     }
     const auto first = static_cast<std::uint32_t>(std::atoi(argv[2]));
+    if (std::string(argv[1]) == "calibrate") {
+        print_noise_floor(first, std::atoi(argv[3]));
+        return 0;
+    }
+    const auto floor = argc == 5 ? braidzone::read_noise_floor(argv[4]) : braidzone::NoiseFloor{};
     for (int i = 0; i < std::atoi(argv[3]); ++i)
-        print_case(argv[1], first + static_cast<std::uint32_t>(i));
+        print_case(argv[1], first + static_cast<std::uint32_t>(i), floor);
     return 0;
 }
