@@ -95,6 +95,7 @@ Json fit_as_json(const EffectFit& fit, const std::vector<NamedEvidence>& named)
     });
     json["log_bayes_factor"] = fit.log_evidence;
     json["log_bayes_factor_unknown_besides"] = evidence->log_evidence_unknown;
+    json["log_bayes_factor_scalars_besides"] = evidence->log_evidence_scalars;
     json["chi_square"] = fit.chi_square;
     for (const FitMode& mode : fit.modes) {
         Json end = {{"log_bayes_factor", mode.log_evidence}};
@@ -235,7 +236,7 @@ std::string diagnosis_answer(const Diagnosis& diagnosis, const std::vector<Effec
                            fmt::join(verdict.effects, ", "),
                            effect_named(catalogue, verdict.effects.front()).separated_by);
     }
-    if (verdict.has_unexplained_rest) text += " A structured gap remains that it does not explain.";
+    if (verdict.has_unexplained_rest) text += " Something remains that it does not explain.";
     return text;
 }
 
@@ -280,6 +281,7 @@ Json diagnosis_as_json(const Diagnosis& diagnosis, const std::vector<Effect>& ca
     for (std::size_t i = 0; i < diagnosis.map.clusters.size(); ++i)
         json["clusters"].push_back(cluster_as_json(diagnosis.map.clusters[i], diagnosis.places[i]));
     json["log_bayes_factor_unknown"] = diagnosis.log_evidence_unknown;
+    json["log_bayes_factor_scalars"] = diagnosis.log_evidence_scalars;
     json["chi_square"] = diagnosis.chi_square;
     json["effects"] = Json::array();
     for (const EffectFit& fit : diagnosis.fits)
@@ -317,7 +319,8 @@ std::string diagnosis_summary(const Diagnosis& diagnosis, const std::vector<Effe
     text += "  (RMS / 95th percentile / largest smoothed)\n  ln Bayes factors:";
     for (const NamedEvidence& named : diagnosis.named)
         text += fmt::format(" {} {:.1f},", named.effect, named.log_evidence);
-    text += fmt::format(" unknown {:.1f}\n", diagnosis.log_evidence_unknown);
+    text += fmt::format(" unknown {:.1f}, ends or length unknown {:.1f}\n",
+                        diagnosis.log_evidence_unknown, diagnosis.log_evidence_scalars);
     for (const std::string& warning : diagnosis_warnings(diagnosis))
         text += fmt::format("  note: {}\n", warning);
     return text;

@@ -4,6 +4,7 @@
 #include "discrepancy/background_estimate.hpp"
 #include "discrepancy/measurement_check.hpp"
 #include "discrepancy/unknown_effect.hpp"
+#include "discrepancy/unknown_scalars.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -106,7 +107,8 @@ std::vector<NamedEvidence> weigh(const Diagnosis& diagnosis, const DiagnoseOptio
             with_implementation_error(diagnosis.error, diagnosis.base_residuals - fit.residuals,
                                       diagnosis.observations.field, options));
         all[i] = {fit.effect, fit.log_evidence,
-                  unknown_besides(diagnosis, whitening).log_evidence(whitening(fit.residuals))};
+                  unknown_besides(diagnosis, whitening).log_evidence(whitening(fit.residuals)),
+                  unknown_scalars_evidence(diagnosis.error, fit.residuals)};
     });
     std::erase_if(all, [](const NamedEvidence& one) { return one.effect.empty(); });
     return all;
@@ -214,7 +216,10 @@ Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> poin
         diagnosis.num_runs += fit.num_runs;
     diagnosis.log_evidence_unknown = unknown_besides(diagnosis, whitening).log_evidence(whitened);
     diagnosis.named = weigh(diagnosis, options);
-    diagnosis.verdict = decide(diagnosis.named, diagnosis.log_evidence_unknown, options.verdict);
+    diagnosis.log_evidence_scalars =
+        unknown_scalars_evidence(diagnosis.error, diagnosis.base_residuals);
+    diagnosis.verdict = decide(diagnosis.named, diagnosis.log_evidence_unknown,
+                               diagnosis.log_evidence_scalars, options.verdict);
     compare(diagnosis, catalogue, options);
     return diagnosis;
 }

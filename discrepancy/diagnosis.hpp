@@ -46,6 +46,7 @@ struct Diagnosis {
     std::vector<EffectFit> fits = {};       ///< in the catalogue's order
     std::vector<NamedEvidence> named = {};  ///< of the effects that could be simulated
     double log_evidence_unknown = 0.0;
+    double log_evidence_scalars = 0.0;  ///< `unknown_scalars_evidence`
     Verdict verdict = {};
     /// The first effect of the verdict, in `fits`; none if it names no effect.
     std::optional<std::size_t> best = {};

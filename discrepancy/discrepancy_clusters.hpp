@@ -20,7 +20,8 @@ struct ClusterOptions {
 struct Cluster {
     std::vector<int> patches;  ///< increasing
     double mass = 0.0;         ///< sum of |t| over the patches
-    /// Share of no-effect maps that hold a cluster of that mass or more, anywhere.
+    /// Share of no-effect maps that hold such a cluster, anywhere: by its mass or by its largest
+    /// |t|, whichever is rarer, times two for the choice.
     double p_family_wise = 1.0;
     double area = 0.0;            ///< [m^2]
     double from = 0.0, to = 0.0;  ///< its extent along the centerline [m]
@@ -43,11 +44,10 @@ struct DiscrepancyMap {
 ///
 /// The scan's motion is projected out of the patches by generalised least squares, the rest
 /// smoothed and divided by its standard deviation; a cluster is a set of neighbouring patches above
-/// the threshold on one side. Its p is that of its mass against the largest mass of maps drawn from
-/// the error model alone, treated alike (Maris and Oostenveld 2007, doi
-/// 10.1016/j.jneumeth.2007.03.024, by parametric draws): over all places together, a share p of
-/// maps without an effect shows such a cluster. It says that there is something, not where exactly
-/// its border runs.
+/// the threshold on one side.
+/// Its p is that of its mass and of its largest |t| against the largest of maps drawn from the
+/// error model alone, treated alike (Maris and Oostenveld 2007, doi 10.1016/j.jneumeth.2007.03.024,
+/// by parametric draws). It says that there is something, not where exactly its border runs.
 DiscrepancyMap make_discrepancy_map(const DiscrepancyField& field, const ErrorModel& error,
                                     const Eigen::VectorXd& medians,
                                     const ClusterOptions& options = {});

@@ -220,6 +220,7 @@ std::vector<Eigen::VectorXd> best_starts(EffectResiduals& residuals, const Effec
 Eigen::VectorXd minimised(EffectResiduals& residuals, Eigen::Index num_data, Eigen::VectorXd x,
                           const FitOptions& options)
 {
+    if (!residuals.with_derivatives(x)) return x;  // Ceres would complain on stderr
     ceres::Problem problem;
     // Bounds are kept by `EffectResiduals::values`; Ceres' own take a line search at each step.
     problem.AddResidualBlock(new PosteriorRows(residuals, num_data), nullptr, x.data());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace braidzone {
 namespace {
@@ -16,6 +17,26 @@ constexpr double smallest_point_sd = 0.01e-3;
 double square(double x)
 {
     return x * x;
+}
+
+/// Points that the scatter common to all patches counts for: that of a few points alone says
+/// little.
+constexpr double pooled_points = 10.0;
+
+/// Variance of a point of each patch [m^2]: its own, drawn towards the patches' median.
+std::vector<double> point_variances(const std::vector<Patch>& patches)
+{
+    std::vector<double> sds;
+    for (const Patch& patch : patches)
+        sds.push_back(std::max(patch.point_sd, smallest_point_sd));
+    std::vector<double> variances = sds;
+    const double common = square(median_of(sds));
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const auto count = static_cast<double>(patches[i].points.size());
+        variances[i] =
+            (count * square(variances[i]) + pooled_points * common) / (count + pooled_points);
+    }
+    return variances;
 }
 
 /// Covariance of distal end, proximal end and length between background deployments.
@@ -65,10 +86,11 @@ ErrorModel make_error_model(const Observations& observations, const NoiseFloor& 
     Vec3 middle = Vec3::Zero();
     for (const Patch& patch : patches)
         middle += patch.centre / static_cast<double>(n);
+    const std::vector<double> variances = point_variances(patches);
     for (Eigen::Index i = 0; i < n; ++i) {
         const Patch& patch = patches[static_cast<std::size_t>(i)];
         model.white[i] = floor.white_scale * median_variance *
-                         square(std::max(patch.point_sd, smallest_point_sd)) /
+                         variances[static_cast<std::size_t>(i)] /
                          static_cast<double>(patch.points.size());
         model.motion.row(i).head<3>() = patch.normal;
         model.motion.row(i).tail<3>() = (patch.centre - middle).cross(patch.normal);

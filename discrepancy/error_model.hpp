@@ -11,7 +11,8 @@ namespace braidzone {
 /// Covariance of the residuals where no effect is missing, in its parts [m^2].
 ///
 ///     C = W + B + o^2 1 1' + G Lambda G'        patches
-///     W = diag(white_scale 1.57 sd^2 / n)       scatter of the points, of a median
+///     W = diag(white_scale 1.57 sd^2 / n)       scatter of the points, of a median; sd of a patch
+///                                               is drawn towards that of all patches
 ///     B = background_sd^2 exp(-distance / background_length)
 ///     G = [n, (x - x0) x n]                     what a small motion of the scan does to a patch
 ///

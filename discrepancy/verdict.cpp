@@ -14,7 +14,7 @@ double score(const NamedEvidence& named)
 }  // namespace
 
 Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unknown,
-               const VerdictOptions& options)
+               double log_evidence_scalars, const VerdictOptions& options)
 {
     std::vector<NamedEvidence> ordered = named;
     std::stable_sort(
@@ -24,7 +24,8 @@ Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unkn
     for (const NamedEvidence& one : named)
         best_evidence = std::max(best_evidence, one.log_evidence);
     Verdict verdict;
-    if (best_evidence < options.effect_bar && log_evidence_unknown < options.unknown_bar)
+    if (best_evidence < options.effect_bar &&
+        std::max(log_evidence_unknown, log_evidence_scalars) < options.unknown_bar)
         return verdict;
     verdict.finding = Finding::unknown;
     if (ordered.empty()) return verdict;
@@ -34,7 +35,9 @@ Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unkn
         if (best - score(one) < options.margin) verdict.effects.push_back(one.effect);
     }
     verdict.finding = verdict.effects.size() == 1 ? Finding::named : Finding::ambiguous;
-    verdict.has_unexplained_rest = ordered.front().log_evidence_unknown > options.unexplained_bar;
+    verdict.has_unexplained_rest =
+        std::max(ordered.front().log_evidence_unknown, ordered.front().log_evidence_scalars) >
+        options.unexplained_bar;
     return verdict;
 }
 

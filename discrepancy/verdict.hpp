@@ -10,6 +10,7 @@ struct NamedEvidence {
     std::string effect;
     double log_evidence = 0.0;          ///< against no effect
     double log_evidence_unknown = 0.0;  ///< of an unknown effect besides, against the named alone
+    double log_evidence_scalars = 0.0;  ///< the same of scalars off by something unknown
 };
 
 /// Bars of the decision: quantiles on a prototype's runs without effects.
@@ -41,10 +42,10 @@ struct Verdict {
 ///
 ///     score_k = ln B_k + max(ln B_(U|k), 0),   margin = max_k score_k - max(ln B_U, 0)
 ///
-/// Nothing is missing if the best ln B_k and ln B_U are below their bars; the effect is unknown if
-/// the margin is less than 3; else all effects within 3 of the best score are the answer. Equal
-/// scores keep the given order.
+/// Nothing is missing if the best ln B_k, ln B_U and that of scalars that are off by something
+/// unknown are below their bars; the effect is unknown if the margin is less than 3; else all
+/// effects within 3 of the best score are the answer. Equal scores keep the given order.
 Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unknown,
-               const VerdictOptions& options = {});
+               double log_evidence_scalars = 0.0, const VerdictOptions& options = {});
 
 }  // namespace braidzone

@@ -86,7 +86,8 @@ Hidden random_effect(const std::string& effect, const Belief& belief, const Lume
         hidden.centre = along_device(belief, random);
         hidden.spacing = smooth_spacing(hidden.centre, between(1.4e-3, 2.0e-3), between(0.2, 0.45));
     } else if (effect == "nominal_diameter") {
-        hidden.diameter_change = sign * between(0.2e-3, 0.4e-3);
+        // A narrower one would lie loose in a vessel of this width.
+        hidden.diameter_change = sign > 0.0 ? between(0.2e-3, 0.4e-3) : -between(0.1e-3, 0.2e-3);
     } else if (effect == "landing_offset") {
         hidden.landing_offset = sign * between(1e-3, 2e-3);
     } else if (effect == "vessel_offset") {
