@@ -263,11 +263,17 @@ std::optional<EffectFit> fit_at(EffectResiduals& residuals, const Effect& effect
     return fit;
 }
 
-/// The first start with an amplitude of zero, which is no effect.
-Eigen::VectorXd without_amplitude(const EffectResiduals& residuals, const Effect& effect,
+/// The first start that can be simulated, with an amplitude of zero, which is no effect.
+Eigen::VectorXd without_amplitude(EffectResiduals& residuals, const Effect& effect,
                                   const FitProblem& problem)
 {
-    std::vector<double> values = effect.starts(problem.setting).front();
+    const auto starts = effect.starts(problem.setting);
+    std::vector<double> values = starts.front();
+    for (const auto& start : starts) {
+        if (residuals.at({residuals.scaled(start)}).front().size() == 0) continue;
+        values = start;
+        break;
+    }
     values.front() = 0.0;
     return residuals.scaled(values);
 }

@@ -93,7 +93,7 @@ TEST(DiagnoseVerb, NamesTheHiddenPushAndWritesACaseWithIt)
                     effect["parameters"]["centre"]["value"].get<double>(), 1e-6);
         EXPECT_NEAR(effect["parameters"]["centre"]["value"].get<double>(), 15.0, 1.0);
     }
-    EXPECT_THAT(first_lines(output / "case_with_local_push.toml", 7),
+    EXPECT_THAT(first_lines(output / "case_with_local_push.toml", 9),
                 testing::AllOf(HasSubstr("found by braidzone diagnose"),
                                HasSubstr("deployment.push_pull.0.spacing: absent -> 0.")));
 }

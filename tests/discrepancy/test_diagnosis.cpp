@@ -8,6 +8,7 @@
 #include "support/devices_of_any_size.hpp"
 #include "support/hidden_measurement.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -74,12 +75,15 @@ Diagnosis diagnosed(const test::Hidden& hidden, std::uint32_t seed,
 
 TEST(Diagnose, NamesAndPlacesAHiddenPush)
 {
-    const Diagnosis found = diagnosed({.spacing = test::smooth_spacing(15e-3, 1.8e-3, -0.6)}, 1,
+    const Diagnosis found = diagnosed({.spacing = test::smooth_spacing(15e-3, 1.8e-3, -0.6)}, 4,
                                       catalogue_of({"local_push", "nominal_diameter", "blooming",
                                                     "vessel_offset", "landing_offset"}));
     EXPECT_EQ(found.verdict.finding, Finding::named);
     ASSERT_THAT(found.verdict.effects, ElementsAre("local_push"));
-    EXPECT_NEAR(found.fits[*found.best].values[1], 15e-3, 1e-3);
+    std::string ends;
+    for (const FitMode& mode : found.fits[*found.best].modes)
+        ends += fmt::format(" {:.2f} mm: {:.1f}", 1e3 * mode.values[1], mode.log_evidence);
+    EXPECT_NEAR(found.fits[*found.best].values[1], 15e-3, 1e-3) << ends;
     EXPECT_LT(found.in_zone.after.rms, found.in_zone.before.rms);
     ASSERT_TRUE(found.after.has_value());
     EXPECT_EQ(found.after->schedule.windows.size(), 1u);
