@@ -38,6 +38,7 @@ VesselSource read_vessel(const TomlTable& table)
         throw ConfigError(fmt::format("{} = {}", table.where("length_unit"), error.what()));
     }
     vessel.repair = table.boolean_or("repair", false);
+    vessel.wall_offset = table.quantity_or("wall_offset", Dimension::length, 0.0);
     if (table.has("centerline")) vessel.centerline = file_path(table, "centerline");
     vessel.centerline_line = integer_in_range(table, "centerline_line", -1, -1, 1000000);
     vessel.reverse_centerline = table.boolean_or("reverse_centerline", false);
@@ -241,6 +242,22 @@ Exports read_exports(const std::vector<TomlTable>& tables, double spacing)
     return exports;
 }
 
+Imaging read_measurement(const TomlTable& table)
+{
+    Imaging imaging;
+    imaging.blooming = table.quantity_or("blooming", Dimension::length, 0.0);
+    if (table.has("shift")) imaging.shift = table.point("shift");
+    if (table.has("pivot")) imaging.pivot = table.point("pivot");
+    if (!table.has("rotation")) return imaging;
+    const std::vector<double> angles = table.quantities("rotation", Dimension::angle);
+    if (angles.size() != 3) {
+        throw ConfigError(fmt::format("{} has {} angles; three are needed, about x, y and z",
+                                      table.where("rotation"), angles.size()));
+    }
+    imaging.rotation = Vec3(angles[0], angles[1], angles[2]);
+    return imaging;
+}
+
 std::optional<SecondDevice> read_second_device(const TomlTable& root)
 {
     if (!root.has("second_device")) return std::nullopt;
@@ -275,6 +292,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     job.sheet = read_sheet_options(porous);
     job.deposit = read_grid(root.table_or_empty("grid"));
     job.exports = read_exports(root.tables("export"), job.deposit.spacing);
+    job.measurement = read_measurement(root.table_or_empty("measurement"));
     root.finish();
     require_vdb_spacing("grid.spacing", job.deposit.spacing, job.vessel.unit);
     if (job.exports.surfaces) {

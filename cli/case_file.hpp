@@ -6,6 +6,7 @@
 #include "core/length_unit.hpp"
 #include "core/vector.hpp"
 #include "deploy/flow_diverter.hpp"
+#include "discrepancy/imaging.hpp"
 #include "export/foam_case.hpp"
 #include "export/lattice_export.hpp"
 #include "export/surfaces_export.hpp"
@@ -29,6 +30,8 @@ struct VesselSource {
     std::filesystem::path surface;
     LengthUnit unit;
     bool repair = false;  ///< repair a defective surface instead of refusing it
+    /// By which the wall is moved outwards along its normals [m].
+    double wall_offset = 0.0;
     std::optional<std::filesystem::path> centerline;  ///< computed if absent
     int centerline_line = -1;         ///< which line of the file; -1: there must be one only
     bool reverse_centerline = false;  ///< the file's first point is the distal end
@@ -71,6 +74,7 @@ struct Case {
     SheetOptions sheet;
     DepositOptions deposit;
     Exports exports;
+    Imaging measurement;  ///< how a measured device surface came about; for `diagnose`
 };
 
 /// Reads a case file strictly; the README lists its keys.

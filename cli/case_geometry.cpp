@@ -4,10 +4,12 @@
 #include "core/centerline_io.hpp"
 #include "core/error.hpp"
 #include "core/surface_io.hpp"
+#include "core/wall_offset.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace braidzone {
 namespace {
@@ -52,8 +54,12 @@ Vessel read_vessel(const VesselSource& source)
 {
     const TriangleMesh surface = read_surface(source.surface, source.unit);
     try {
-        return make_vessel(surface, source.unit,
-                           {.repair = source.repair, .ends = given_points(source)});
+        Vessel vessel = make_vessel(surface, source.unit,
+                                    {.repair = source.repair, .ends = given_points(source)});
+        if (source.wall_offset == 0.0) return vessel;
+        Vessel moved = make_vessel(with_wall_offset(vessel.wall, source.wall_offset), source.unit);
+        moved.notes = std::move(vessel.notes);
+        return moved;
     } catch (const GeometryError& error) {
         throw GeometryError(fmt::format("{}: {}", source.surface.string(), error.what()));
     }

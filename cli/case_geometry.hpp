@@ -8,7 +8,7 @@
 namespace braidzone {
 
 /// The vessel of a case: read and, on request, repaired; cut open at the centerline's ends if its
-/// own are rounded off and the case names two points.
+/// own are rounded off and the case names two points; its wall moved by `wall_offset`.
 /// @throws what `read_surface` and `make_vessel` throw, with the file's name
 Vessel read_vessel(const VesselSource& source);
 

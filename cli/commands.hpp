@@ -32,6 +32,25 @@ void apply_case_to_foam(const std::filesystem::path& case_file,
 /// check: reads and validates a case, deploys its device in memory, and prints what it found.
 void check_case(const std::filesystem::path& case_file, const CommonOptions& options);
 
+struct DiagnoseCommand {
+    std::vector<std::filesystem::path> measured;   ///< the device's surface; more to learn from
+    std::optional<std::string> length_unit;        ///< of its coordinates
+    std::optional<std::filesystem::path> scalars;  ///< lengths and end positions (TOML)
+    std::optional<std::filesystem::path> noise;    ///< noise floor (JSON)
+    bool calibrate = false;                        ///< learn the noise floor instead
+};
+
+/// diagnose: finds where a measured device differs from the simulated one, names the missing effect
+/// and writes a case file with it.
+/// `output`: the folder; default `<case name>.diagnosis.out` beside the case.
+void diagnose_case(const std::filesystem::path& case_file, const DiagnoseCommand& command,
+                   const CommonOptions& options);
+
+/// diagnose --calibrate: learns the noise floor from measurements in which no effect is missing.
+/// `output`: the file; default `<case name>.noise.json` beside the case.
+void learn_noise_floor(const std::filesystem::path& case_file, const DiagnoseCommand& command,
+                       const CommonOptions& options);
+
 struct CenterlineCommand {
     std::filesystem::path surface;
     std::string length_unit = "mm";

@@ -22,6 +22,7 @@ struct Arguments {
     fs::path force_curve;
     fs::path phantom_file;
     CenterlineCommand centerline;
+    DiagnoseCommand diagnose;
     std::string device_name;
     std::function<void()> command;
 };
@@ -151,6 +152,34 @@ void add_bench_verbs(CLI::App& app, Arguments& arguments)
                        "file (default: CASE.calibration.json beside the press file)");
 }
 
+void add_diagnose_verb(CLI::App& app, Arguments& arguments)
+{
+    CLI::App& verb = add_case_verb(
+        app, arguments, "diagnose",
+        "find where a measured device differs from the simulated one, and why", [&arguments] {
+            if (arguments.diagnose.calibrate) {
+                learn_noise_floor(arguments.case_file, arguments.diagnose, arguments.common);
+            } else {
+                diagnose_case(arguments.case_file, arguments.diagnose, arguments.common);
+            }
+        });
+    DiagnoseCommand& command = arguments.diagnose;
+    verb.add_option("--measured", command.measured,
+                    "the device's surface: STL, VTP, VTK, PLY, OBJ, or points as CSV or XYZ; "
+                    "repeatable with --calibrate")
+        ->required()
+        ->allow_extra_args(false);
+    verb.add_option("--length-unit", command.length_unit,
+                    "of the measured coordinates: m, cm, mm, um (CSV: stated in its header)");
+    verb.add_option("--scalars", command.scalars, "measured length and end positions (TOML)");
+    verb.add_option("--noise", command.noise, "noise floor (JSON; default: shipped values)");
+    verb.add_flag("--calibrate", command.calibrate,
+                  "learn the noise floor from several measurements without an effect");
+    add_output_options(verb, arguments.common,
+                       "folder for the results (default: CASE.diagnosis.out beside the case), or "
+                       "file of the noise floor (CASE.noise.json)");
+}
+
 void add_devices_verb(CLI::App& app, Arguments& arguments)
 {
     CLI::App& devices = *app.add_subcommand("devices", "list the device library, or show a device");
@@ -170,6 +199,7 @@ int run(int argc, char** argv)
     add_run_verbs(app, arguments);
     add_vessel_verbs(app, arguments);
     add_bench_verbs(app, arguments);
+    add_diagnose_verb(app, arguments);
     add_devices_verb(app, arguments);
     try {
         app.parse(argc, argv);

@@ -15,18 +15,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void require_replaceable(const fs::path& folder, bool force)
+void require_replaceable(const fs::path& folder, bool force, const std::string& record)
 {
     if (!fs::exists(fs::symlink_status(folder))) return;
     if (!fs::is_directory(folder)) {
         throw IoError(fmt::format("output folder {} is a file", folder.string()));
     }
-    if (force || is_summary_of_a_run(folder / "summary.json")) return;
+    if (force || is_summary_of_a_run(folder / record)) return;
     throw IoError(
         fmt::format("output folder {} exists and no earlier run wrote it (it holds no "
-                    "summary.json of a run); choose another with --output, or replace it "
+                    "{} of a run); choose another with --output, or replace it "
                     "with --force",
-                    folder.string()));
+                    folder.string(), record));
 }
 
 /// Two folders change places in one step. False if the file system cannot do that.
@@ -47,14 +47,14 @@ void move_to(const fs::path& from, const fs::path& to)
 
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& wanted, bool force)
+OutputFolder::OutputFolder(const fs::path& wanted, bool force, const std::string& record)
 {
     // A trailing slash would make the last component empty.
     const fs::path absolute = fs::absolute(wanted / "").lexically_normal().parent_path();
     std::error_code error;
     wanted_ = fs::weakly_canonical(absolute, error);
     if (error) wanted_ = absolute;
-    require_replaceable(wanted_, force);
+    require_replaceable(wanted_, force, record);
 
     const fs::path sibling =
         wanted_.parent_path() /

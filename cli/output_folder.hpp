@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace braidzone {
 
@@ -14,9 +15,11 @@ class OutputFolder {
 public:
     /// @param wanted  where the results shall be; its parents are created
     /// @param force   replace a folder that no run wrote
+    /// @param record  the file that tells which program wrote a folder
     /// @throws IoError if something is there that no earlier run wrote (a run's folder holds its
-    ///         summary.json) and `force` is not set, or the folder cannot be created
-    OutputFolder(const std::filesystem::path& wanted, bool force);
+    ///         record) and `force` is not set, or the folder cannot be created
+    OutputFolder(const std::filesystem::path& wanted, bool force,
+                 const std::string& record = "summary.json");
 
     /// The folder to write into.
     const std::filesystem::path& path() const { return unfinished_->path(); }

@@ -31,7 +31,8 @@ Json vessel_section(const VesselSource& vessel)
 {
     Json section = {{"surface", vessel.surface.string()},
                     {"length_unit", vessel.unit.name},
-                    {"repair", vessel.repair}};
+                    {"repair", vessel.repair},
+                    {"wall_offset", length(vessel.wall_offset)}};
     if (vessel.centerline) {
         section["centerline"] = vessel.centerline->string();
         section["centerline_line"] = vessel.centerline_line;
@@ -97,6 +98,16 @@ Json second_device_section(const SecondDevice& second)
     Json section = device_section(second.device);
     section["landing_distal"] = place(second.landing_distal);
     add_schedule(section, second.schedule);
+    return section;
+}
+
+Json measurement_section(const Imaging& imaging)
+{
+    Json section = {{"blooming", length(imaging.blooming)},
+                    {"shift", point(imaging.shift)},
+                    {"pivot", point(imaging.pivot)}};
+    for (int axis = 0; axis < 3; ++axis)
+        section["rotation"].push_back(format_quantity(imaging.rotation[axis], Dimension::angle));
     return section;
 }
 
@@ -309,6 +320,7 @@ Json resolved_case(const Case& job)
     all["porous"] = porous_section(job);
     all["grid"] = {{"spacing", length(job.deposit.spacing)},
                    {"kernel_half_width", job.deposit.kernel_half_width}};
+    all["measurement"] = measurement_section(job.measurement);
     all["export"] = export_sections(job.exports);
     return all;
 }

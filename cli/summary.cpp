@@ -19,8 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* program_name = "braidzone";
-
 Json quantity(double value, const char* unit)
 {
     return {{"value", value}, {"unit", unit}};

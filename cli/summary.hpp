@@ -10,6 +10,9 @@
 
 namespace braidzone {
 
+/// Name by which the record of a folder of results tells which program wrote it.
+constexpr const char* program_name = "braidzone";
+
 /// The figures of a run, its resolved case and what it was made with: the content of summary.json.
 ///
 /// `quantities` maps each name to {value, unit}, or to null where it does not apply. They are the

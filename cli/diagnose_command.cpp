@@ -1,0 +1,156 @@
+#include "cli/commands.hpp"
+#include "cli/diagnosed_case.hpp"
+#include "cli/diagnosis_report.hpp"
+#include "cli/discrepancy_picture.hpp"
+#include "cli/discrepancy_vtp.hpp"
+#include "cli/effect_case.hpp"
+#include "cli/output_files.hpp"
+#include "cli/output_folder.hpp"
+#include "cli/progress.hpp"
+#include "cli/result_files.hpp"
+#include "cli/summary.hpp"
+#include "core/error.hpp"
+#include "core/file_hash.hpp"
+#include "discrepancy/diagnosis.hpp"
+#include "discrepancy/measured_surface.hpp"
+#include "discrepancy/measurement_check.hpp"
+#include "discrepancy/noise_calibration.hpp"
+#include "export/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace braidzone {
+namespace {
+
+namespace fs = std::filesystem;
+
+MeasuredScalars scalars_of(const DiagnoseCommand& command, const Centerline& centerline)
+{
+    if (!command.scalars) return {};
+    return read_measured_scalars(TomlTable::read_file(*command.scalars), centerline);
+}
+
+nlohmann::ordered_json input_as_json(const fs::path& file)
+{
+    return {{"path", fs::absolute(file).lexically_normal().string()},
+            {"sha256", sha256_of_file(file)}};
+}
+
+nlohmann::ordered_json inputs_as_json(const Case& job, const DiagnoseCommand& command)
+{
+    nlohmann::ordered_json inputs = {{"case", input_as_json(job.file)},
+                                     {"vessel", input_as_json(job.vessel.surface)},
+                                     {"measured", input_as_json(command.measured.front())}};
+    if (command.scalars) inputs["scalars"] = input_as_json(*command.scalars);
+    if (command.noise) inputs["noise"] = input_as_json(*command.noise);
+    return inputs;
+}
+
+/// One case file for each effect of the answer.
+void write_effect_cases(const fs::path& folder, const Case& job, const Diagnosis& diagnosis,
+                        const fs::path& measured)
+{
+    for (const std::string& name : diagnosis.verdict.effects) {
+        for (std::size_t i = 0; i < diagnosis.fits.size(); ++i) {
+            const EffectFit& fit = diagnosis.fits[i];
+            if (fit.effect != name) continue;
+            const Model model = effect_catalogue()[i].apply(diagnosis.setting, fit.values);
+            write_text_file(folder / fmt::format("case_with_{}.toml", name),
+                            effect_case_text(job, model, fit, measured));
+        }
+    }
+}
+
+std::optional<LengthUnit> unit_of(const DiagnoseCommand& command)
+{
+    if (!command.length_unit) return std::nullopt;
+    return length_unit(*command.length_unit);
+}
+
+}  // namespace
+
+void learn_noise_floor(const fs::path& case_file, const DiagnoseCommand& command,
+                       const CommonOptions& options)
+{
+    const Case job = read_diagnosed_case(case_file, options.overrides);
+    if (command.scalars) throw ConfigError("--scalars has no part in --calibrate; leave it out");
+    TextOutput output(
+        options.output.value_or(fs::absolute(case_file).replace_extension(".noise.json")),
+        options.force);
+    Progress progress(options.quiet);
+    progress.begin("vessel", "reading the vessel");
+    const Lumen lumen = lumen_of(job);
+    progress.begin("deploy", "deploying the device");
+    const Model model = model_of(job, lumen.centerline);
+    const Simulation base = simulate(model, lumen);
+    std::vector<CalibrationSet> sets;
+    for (const fs::path& file : command.measured) {
+        Observations observations;
+        observations.points = read_measured_surface(file, unit_of(command));
+        try {
+            require_comparable(observations.points, model.imaging, base, lumen);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+        }
+        observations.field = make_discrepancy_field(observations.points, model.imaging, base);
+        Eigen::VectorXd measured = residuals(observations, base, model.imaging);
+        sets.push_back({std::move(observations), std::move(measured)});
+    }
+    progress.begin("calibrate", "learning the noise floor");
+    const NoiseFloor floor = calibrate_noise_floor(sets);
+    progress.end();
+    output.write(noise_floor_text(floor));
+    if (options.quiet) return;
+    fmt::print("{}  written to {}\n", noise_floor_text(floor), output.path().string());
+}
+
+void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
+                   const CommonOptions& options)
+{
+    if (command.measured.size() != 1) {
+        throw ConfigError(fmt::format(
+            "diagnose takes one measured surface, {} are given; several are for --calibrate",
+            command.measured.size()));
+    }
+    const Case job = read_diagnosed_case(case_file, options.overrides);
+    std::vector<Vec3> points = read_measured_surface(command.measured.front(), unit_of(command));
+    DiagnoseOptions diagnose_options;
+    if (command.noise) diagnose_options.floor = read_noise_floor(*command.noise);
+    OutputFolder folder(
+        options.output.value_or(fs::path(case_file).replace_extension(".diagnosis.out")),
+        options.force, "diagnosis.json");
+
+    Progress progress(options.quiet);
+    progress.begin("vessel", "reading the vessel");
+    const Lumen lumen = lumen_of(job);
+    const MeasuredScalars scalars = scalars_of(command, lumen.centerline);
+    progress.begin("diagnose", "deploying the device");
+    diagnose_options.on_progress = [&](const std::string& doing) {
+        progress.begin("diagnose", doing);
+    };
+    const std::vector<Effect>& catalogue = effect_catalogue();
+    const Diagnosis diagnosis = diagnose(model_of(job, lumen.centerline), lumen, std::move(points),
+                                         scalars, catalogue, diagnose_options);
+    progress.begin("export", "writing the results");
+    write_discrepancy_picture(folder.path() / "discrepancy.png", diagnosis);
+    write_discrepancy_vtp(folder.path() / "discrepancy.vtp", diagnosis, lumen.vessel.unit);
+    write_effect_cases(folder.path(), job, diagnosis, command.measured.front());
+    progress.end();
+
+    nlohmann::ordered_json json = {{"program", program_name}};
+    json.update(diagnosis_as_json(diagnosis, catalogue, diagnose_options.floor));
+    json["inputs"] = inputs_as_json(job, command);
+    json["files"] = files_in(folder.path());
+    for (const StageTime& time : progress.times())
+        json["times_s"][time.stage] = time.seconds;
+    write_text_file(folder.path() / "diagnosis.json", json.dump(1) + "\n");
+    folder.commit();
+
+    if (options.quiet) return;
+    fmt::print("{}  {:<12}{}\n", diagnosis_summary(diagnosis, catalogue), "results",
+               folder.final_path().string());
+}
+
+}  // namespace braidzone

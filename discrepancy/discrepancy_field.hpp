@@ -1,0 +1,79 @@
+#pragma once
+
+#include "discrepancy/imaging.hpp"
+#include "discrepancy/model.hpp"
+
+#include <Eigen/Core>
+
+#include <numbers>
+#include <vector>
+
+namespace braidzone {
+
+struct PatchOptions {
+    double length = 0.8e-3;  ///< along the centerline [m]
+    int around = 12;         ///< patches around: 30 degrees each
+    int fewest_points = 4;   ///< in a patch that counts
+    double farthest = 2e-3;  ///< points further off than this are no device [m]
+};
+
+/// Row and column of the patch at a place of the device.
+/// @param angle  about the ring's frame, -pi to 2 pi [rad]
+struct PatchPlace {
+    int row = 0;     ///< along the centerline
+    int column = 0;  ///< around
+};
+PatchPlace patch_place(double arc_length, double angle, const PatchOptions& options);
+
+/// A piece of the simulated device's surface with the measured points over it.
+struct Patch {
+    int row = 0;                   ///< along the centerline
+    int column = 0;                ///< around
+    std::vector<int> points = {};  ///< indices of measured points
+    double median = 0.0;           ///< of their signed distances [m]
+    /// Robust standard deviation of a point: 1.4826 times the median absolute deviation [m].
+    double point_sd = 0.0;
+    Vec3 centre = Vec3::Zero();   ///< mean of the points' feet [m]
+    Vec3 normal = Vec3::UnitX();  ///< mean of the surface's normals there
+    double arc_length = 0.0;      ///< of the patch's middle [m]
+    double angle = 0.0;           ///< of its middle, 0 to 2 pi [rad]
+    double area = 0.0;            ///< of the patch on the simulated device [m^2]
+    double contact_share = 0.0;   ///< of its points over crossings that touch the wall
+    std::vector<int> nodes = {};  ///< crossings nearest to its points, increasing
+};
+
+/// Where the measured surface lies against the simulated one, patch by patch.
+struct DiscrepancyField {
+    std::vector<Patch> patches;  ///< rows and columns increasing
+    PatchOptions options;
+    /// Signed distance of each measured point to the base model's surface [m]; without meaning for
+    /// points that are in no patch.
+    std::vector<double> base_distance;
+    int num_points = 0;
+    int num_on_rim = 0;     ///< left out: nearest to the device's rim
+    int num_far = 0;        ///< left out: no device, `PatchOptions::farthest`
+    int num_in_sparse = 0;  ///< left out: in patches of too few points
+};
+
+/// Signed distance (outward positive) of each measured point to the simulated surface, collected in
+/// patches over (arc length, angle) of the feet. A patch's value is the median, which outliers do
+/// not move; its variance is 1.57 sd^2 / n, that of the median of n normal values.
+///
+/// @param points   measured, in the frame of the scan [m]
+/// @param imaging  of the base model
+DiscrepancyField make_discrepancy_field(const std::vector<Vec3>& points, const Imaging& imaging,
+                                        const Simulation& base, const PatchOptions& options = {});
+
+/// The patches' medians if an altered model had been simulated [m]: the same points in the same
+/// patches, so that models are compared on the same data.
+///
+/// A point beyond the altered device's ends says nothing about its surface; the base model's
+/// distance stands in for it, as both lie on the wall there. Where the device ends is told by
+/// `MeasuredScalars`.
+Eigen::VectorXd patch_medians(const std::vector<Vec3>& points, const DiscrepancyField& field,
+                              const Imaging& imaging, const DeviceSurface& surface);
+
+/// Median of values, the mean of the middle two if their number is even. `values` are reordered.
+double median_of(std::vector<double>& values);
+
+}  // namespace braidzone

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "discrepancy/model.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace braidzone {
+
+/// What an effect starts from: the case as it is, and where its device lies.
+struct EffectSetting {
+    Model base;
+    double from = 0.0;           ///< proximal end of the simulated device, arc length [m]
+    double to = 0.0;             ///< distal end [m]
+    Vec3 middle = Vec3::Zero();  ///< of the measured points [m]
+};
+
+/// A parameter of an effect. Its prior is normal, or uniform between the bounds.
+struct EffectParameter {
+    std::string name;
+    std::string unit;         ///< in which it is reported: "mm", "deg" or "1"
+    double prior_mean = 0.0;  ///< [SI]
+    double prior_sd = 1.0;    ///< [SI]; of a uniform prior as well, for scaling
+    double lower = 0.0;       ///< bounds [SI]
+    double upper = 0.0;
+    double step = 0.0;  ///< for derivatives, 0: a fifth of the prior's standard deviation [SI]
+    bool is_uniform = false;
+};
+
+/// A parameter with a normal prior about `mean`.
+EffectParameter normal_parameter(std::string name, std::string unit, double mean, double sd,
+                                 double lower, double upper);
+
+/// A parameter that may be anywhere between two bounds.
+EffectParameter uniform_parameter(std::string name, std::string unit, double lower, double upper,
+                                  double step);
+
+/// SI value of one unit in which parameters are reported.
+double reported_unit(const EffectParameter& parameter);
+
+/// Something that may be missing in a case: a change of the deployment or of the imaging with a few
+/// parameters, never a patch on the surface. Each stands in a file of its own, `effect_<name>.cpp`,
+/// and in the list of `effect_catalogue`.
+struct Effect {
+    std::string name;          ///< "local_push"
+    std::string title;         ///< for people: "the operator pushed"
+    bool changes_deployment;   ///< false: only how the device was seen
+    std::string separated_by;  ///< a measurement that would tell it from others
+    std::function<std::vector<EffectParameter>(const EffectSetting&)> parameters;
+    /// Where fits begin, each a value for each parameter; the first parameter is the amplitude.
+    std::function<std::vector<std::vector<double>>(const EffectSetting&)> starts;
+    /// The base model with the effect. @throws ConfigError if it cannot stand beside what is there
+    std::function<Model(const EffectSetting&, const std::vector<double>&)> apply;
+};
+
+/// All effects, in the order in which equals are reported: what concerns the imaging first.
+const std::vector<Effect>& effect_catalogue();
+
+// One file each.
+Effect registration_effect();
+Effect blooming_effect();
+Effect vessel_offset_effect();
+Effect wall_compliance_effect();
+Effect landing_offset_effect();
+Effect nominal_diameter_effect();
+Effect braid_ratio_effect();
+Effect local_push_effect();
+Effect local_pull_effect();
+
+}  // namespace braidzone

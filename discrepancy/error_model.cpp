@@ -1,0 +1,147 @@
+#include "discrepancy/error_model.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace braidzone {
+namespace {
+
+/// Variance of the median of n normal values over that of one, times n: pi / 2.
+constexpr double median_variance = 1.57;
+/// The deployment's own roughness, and the finest scatter that a few points can tell [m].
+constexpr double smallest_point_sd = 0.01e-3;
+
+double square(double x)
+{
+    return x * x;
+}
+
+/// Points that the scatter common to all patches counts for: that of a few points alone says
+/// little.
+constexpr double pooled_points = 10.0;
+
+/// Variance of a point of each patch [m^2]: its own, drawn towards the patches' median.
+std::vector<double> point_variances(const std::vector<Patch>& patches)
+{
+    std::vector<double> sds;
+    for (const Patch& patch : patches)
+        sds.push_back(std::max(patch.point_sd, smallest_point_sd));
+    std::vector<double> variances = sds;
+    const double common = square(median_of(sds));
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const auto count = static_cast<double>(patches[i].points.size());
+        variances[i] =
+            (count * square(variances[i]) + pooled_points * common) / (count + pooled_points);
+    }
+    return variances;
+}
+
+/// Covariance of distal end, proximal end and length between background deployments.
+Eigen::Matrix3d end_background(const NoiseFloor& floor)
+{
+    // proximal = distal - length
+    Eigen::Matrix<double, 3, 2> by;  // landing, length
+    by << 1.0, 0.0, 1.0, -1.0, 0.0, 1.0;
+    const Eigen::Vector2d variance(square(floor.landing_sd), square(floor.length_sd));
+    return by * variance.asDiagonal() * by.transpose();
+}
+
+}  // namespace
+
+Eigen::MatrixXd patch_distances(const DiscrepancyField& field)
+{
+    const auto n = static_cast<Eigen::Index>(field.patches.size());
+    Eigen::MatrixXd distances(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        for (Eigen::Index j = 0; j < n; ++j) {
+            distances(i, j) = (field.patches[static_cast<std::size_t>(i)].centre -
+                               field.patches[static_cast<std::size_t>(j)].centre)
+                                  .norm();
+        }
+    }
+    return distances;
+}
+
+ErrorModel make_error_model(const Observations& observations, const NoiseFloor& floor)
+{
+    const auto& patches = observations.field.patches;
+    const auto n = static_cast<Eigen::Index>(patches.size());
+    const Eigen::Index all = num_residuals(observations);
+    ErrorModel model;
+    model.num_patches = n;
+    model.white = Eigen::VectorXd::Zero(all);
+    model.background = Eigen::MatrixXd::Zero(all, all);
+    model.motion = Eigen::MatrixXd::Zero(all, 6);
+    model.motion_variance.resize(6);
+    model.motion_variance << Eigen::Vector3d::Constant(square(floor.shift_sd)),
+        Eigen::Vector3d::Constant(square(floor.angle_sd));
+
+    model.background.topLeftCorner(n, n) =
+        square(floor.background_sd) *
+        (-patch_distances(observations.field).array() / floor.background_length).exp();
+    model.background.topLeftCorner(n, n).array() += square(floor.offset_sd);
+    Vec3 middle = Vec3::Zero();
+    for (const Patch& patch : patches)
+        middle += patch.centre / static_cast<double>(n);
+    const std::vector<double> variances = point_variances(patches);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Patch& patch = patches[static_cast<std::size_t>(i)];
+        model.white[i] = floor.white_scale * median_variance *
+                         variances[static_cast<std::size_t>(i)] /
+                         static_cast<double>(patch.points.size());
+        model.motion.row(i).head<3>() = patch.normal;
+        model.motion.row(i).tail<3>() = (patch.centre - middle).cross(patch.normal);
+    }
+
+    const Eigen::Matrix3d ends = end_background(floor);
+    std::vector<Eigen::Index> given;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        if (observations.scalars.values[static_cast<std::size_t>(i)]) given.push_back(i);
+    }
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const Eigen::Index row = n + static_cast<Eigen::Index>(i);
+        model.white[row] =
+            square(observations.scalars.values[static_cast<std::size_t>(given[i])]->sd);
+        for (std::size_t j = 0; j < given.size(); ++j)
+            model.background(row, n + static_cast<Eigen::Index>(j)) = ends(given[i], given[j]);
+    }
+    return model;
+}
+
+Eigen::MatrixXd ErrorModel::without_registration() const
+{
+    Eigen::MatrixXd sum = background;
+    sum.diagonal() += white;
+    return sum;
+}
+
+Eigen::MatrixXd ErrorModel::covariance() const
+{
+    return without_registration() + motion * motion_variance.asDiagonal() * motion.transpose();
+}
+
+Whitening::Whitening(const Eigen::MatrixXd& covariance) : factor_(covariance)
+{
+    if (factor_.info() != Eigen::Success)
+        throw InputError("the covariance of the residuals is not positive definite");
+}
+
+Eigen::VectorXd Whitening::operator()(const Eigen::VectorXd& residuals) const
+{
+    return factor_.matrixL().solve(residuals);
+}
+
+Eigen::MatrixXd Whitening::of_columns(const Eigen::MatrixXd& columns) const
+{
+    return factor_.matrixL().solve(columns);
+}
+
+double Whitening::log_determinant() const
+{
+    return 2.0 * factor_.matrixLLT().diagonal().array().log().sum();
+}
+
+}  // namespace braidzone

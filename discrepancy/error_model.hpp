@@ -1,0 +1,51 @@
+#pragma once
+
+#include "discrepancy/noise_floor.hpp"
+#include "discrepancy/observations.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+namespace braidzone {
+
+/// Covariance of the residuals where no effect is missing, in its parts [m^2].
+///
+///     C = W + B + o^2 1 1' + G Lambda G'        patches
+///     W = diag(white_scale 1.57 sd^2 / n)       scatter of the points, of a median; sd of a patch
+///                                               is drawn towards that of all patches
+///     B = background_sd^2 exp(-distance / background_length)
+///     G = [n, (x - x0) x n]                     what a small motion of the scan does to a patch
+///
+/// The registration is marginalised: a misplacement of the scan as large as its prior Lambda
+/// explains costs nothing, and none is subtracted beforehand. The scalars have a block of their
+/// own: their own variance, the landing's, common to both ends, and the length's.
+struct ErrorModel {
+    Eigen::VectorXd white;            ///< W, and the scalars' own variances
+    Eigen::MatrixXd background;       ///< B and the offset; of the scalars, landing and length
+    Eigen::MatrixXd motion;           ///< G; rows of the scalars are 0; columns: shift, rotation
+    Eigen::VectorXd motion_variance;  ///< diagonal of Lambda
+    Eigen::Index num_patches = 0;
+
+    Eigen::MatrixXd without_registration() const;  ///< W + B + o^2 1 1'
+    Eigen::MatrixXd covariance() const;            ///< C
+};
+
+/// Distances between the patches' centres, in space [m].
+Eigen::MatrixXd patch_distances(const DiscrepancyField& field);
+
+ErrorModel make_error_model(const Observations& observations, const NoiseFloor& floor);
+
+/// Residuals in units of their error: z = L^-1 r with L L' = C.
+class Whitening {
+public:
+    /// @throws InputError if the covariance is not positive definite
+    explicit Whitening(const Eigen::MatrixXd& covariance);
+    Eigen::VectorXd operator()(const Eigen::VectorXd& residuals) const;
+    Eigen::MatrixXd of_columns(const Eigen::MatrixXd& columns) const;
+    double log_determinant() const;  ///< of C
+
+private:
+    Eigen::LLT<Eigen::MatrixXd> factor_;
+};
+
+}  // namespace braidzone

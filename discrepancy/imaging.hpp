@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/vector.hpp"
+
+namespace braidzone {
+
+/// How a measured device surface came about: where the scan lies in the vessel's frame, and how
+/// much thicker the device looks than it is.
+struct Imaging {
+    /// By which the segmented surface lies outside the wires' mid-surface [m].
+    double blooming = 0.0;
+    /// The motion that brings the scan into the vessel's frame: a turn about `pivot` by the length
+    /// of `rotation` [rad] about its direction, then `shift` [m].
+    Vec3 shift = Vec3::Zero();
+    Vec3 rotation = Vec3::Zero();
+    Vec3 pivot = Vec3::Zero();  ///< [m]
+};
+
+/// A point of the scan in the vessel's frame:  p' = R (p - pivot) + pivot + shift  [m].
+Vec3 in_vessel_frame(const Imaging& imaging, const Vec3& point);
+
+}  // namespace braidzone

@@ -1,0 +1,45 @@
+#include "discrepancy/model.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace braidzone {
+namespace {
+
+Deployment deploy_in(const Model& model, const Lumen& lumen)
+{
+    return deploy(model.device, lumen.centerline, lumen.wall, model.landing_distal, model.schedule,
+                  model.options);
+}
+
+}  // namespace
+
+Simulation simulate(const Model& model, const Lumen& lumen)
+{
+    Deployment deployment = model.wall_offset == 0.0
+                                ? deploy_in(model, lumen)
+                                : deploy_in(model, with_moved_wall(lumen, model.wall_offset));
+    if (!deployment.converged) {
+        throw ConvergenceError(fmt::format(
+            "the deployment did not come to rest in {} steps: the largest force on a free node is "
+            "{:.6g} N, the tolerance {:.6g} N",
+            deployment.steps, deployment.max_force_residual, deployment.force_tolerance));
+    }
+    DeviceSurface surface(deployment);
+    return {std::move(deployment), std::move(surface)};
+}
+
+double distal_end(const Deployment& deployment)
+{
+    return deployment.ring_arc_length.front();
+}
+
+double proximal_end(const Deployment& deployment)
+{
+    return deployment.ring_arc_length.back();
+}
+
+}  // namespace braidzone

@@ -1,0 +1,79 @@
+#include "discrepancy/noise_calibration.hpp"
+
+#include "core/error.hpp"
+#include "discrepancy/error_model.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <cmath>
+
+namespace braidzone {
+namespace {
+
+constexpr std::size_t fewest_sets = 3;
+constexpr double prior_factor = 3.0;
+
+constexpr std::array<double NoiseFloor::*, 8> constants = {
+    &NoiseFloor::background_sd, &NoiseFloor::background_length, &NoiseFloor::offset_sd,
+    &NoiseFloor::shift_sd,      &NoiseFloor::angle_sd,          &NoiseFloor::white_scale,
+    &NoiseFloor::landing_sd,    &NoiseFloor::length_sd};
+
+double log_posterior(const std::vector<CalibrationSet>& sets, const NoiseFloor& floor)
+{
+    std::vector<double> parts(sets.size());
+    tbb::parallel_for(std::size_t{0}, sets.size(),
+                      [&](std::size_t i) { parts[i] = log_likelihood(sets[i], floor); });
+    double sum = 0.0;
+    for (const double part : parts)
+        sum += part;
+    const NoiseFloor shipped;
+    for (const auto constant : constants) {
+        const double u = std::log(floor.*constant / (shipped.*constant)) / std::log(prior_factor);
+        sum -= 0.5 * u * u;
+    }
+    return sum;
+}
+
+}  // namespace
+
+double log_likelihood(const CalibrationSet& set, const NoiseFloor& floor)
+{
+    const Whitening whitening(make_error_model(set.observations, floor).covariance());
+    return -0.5 * whitening(set.residuals).squaredNorm() - 0.5 * whitening.log_determinant();
+}
+
+NoiseFloor calibrate_noise_floor(const std::vector<CalibrationSet>& sets)
+{
+    if (sets.size() < fewest_sets) {
+        throw InputError(fmt::format(
+            "a noise floor is learned from at least {} measurements without an effect; {} given",
+            fewest_sets, sets.size()));
+    }
+    NoiseFloor floor;
+    double best = log_posterior(sets, floor);
+    for (const double step : {0.4, 0.2, 0.1, 0.05, 0.03}) {
+        constexpr int most_rounds = 6;
+        bool has_moved = true;
+        for (int round = 0; has_moved && round < most_rounds; ++round) {
+            has_moved = false;
+            for (const auto constant : constants) {
+                for (const double direction : {1.0, -1.0}) {
+                    NoiseFloor trial = floor;
+                    trial.*constant *= std::exp(direction * step);
+                    const double value = log_posterior(sets, trial);
+                    if (value <= best) continue;
+                    best = value;
+                    floor = trial;
+                    has_moved = true;
+                    break;
+                }
+            }
+        }
+    }
+    floor.source = fmt::format("learned from {} measurements without an effect", sets.size());
+    return floor;
+}
+
+}  // namespace braidzone

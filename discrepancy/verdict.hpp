@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace braidzone {
+
+/// Evidence for one named effect, natural logarithms of Bayes factors.
+struct NamedEvidence {
+    std::string effect;
+    double log_evidence = 0.0;          ///< against no effect
+    double log_evidence_unknown = 0.0;  ///< of an unknown effect besides, against the named alone
+    double log_evidence_scalars = 0.0;  ///< the same of scalars off by something unknown
+};
+
+/// Bars of the decision: quantiles on a prototype's runs without effects.
+struct VerdictOptions {
+    double effect_bar = 4.0;       ///< named effect against none: 99 %
+    double unknown_bar = 3.4;      ///< unknown effect against none: 99 %
+    double unexplained_bar = 3.4;  ///< unknown effect beside a named one
+    double margin = 3.0;           ///< Bayes factor of 20: less does not decide
+};
+
+enum class Finding {
+    nothing_missing,
+    named,      ///< one effect
+    ambiguous,  ///< one of several, which the data do not tell apart
+    unknown,    ///< something, but none of the known effects
+};
+
+struct Verdict {
+    Finding finding = Finding::nothing_missing;
+    /// The effects that explain the data about equally well, best first; empty unless named or
+    /// ambiguous.
+    std::vector<std::string> effects;
+    /// A structured gap remains that the best effect does not explain.
+    bool has_unexplained_rest = false;
+};
+
+/// Decides between no effect, each named effect, an unknown effect, and a named with an unknown
+/// one.
+///
+///     score_k = ln B_k + max(ln B_(U|k), 0),   margin = max_k score_k - max(ln B_U, 0)
+///
+/// Nothing is missing if the best ln B_k, ln B_U and that of scalars that are off by something
+/// unknown are below their bars; the effect is unknown if the margin is less than 3; else all
+/// effects within 3 of the best score are the answer. Equal scores keep the given order.
+Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unknown,
+               double log_evidence_scalars = 0.0, const VerdictOptions& options = {});
+
+}  // namespace braidzone

@@ -1,0 +1,227 @@
+// The verb diagnose as a user starts it, on the shipped case with a push hidden in its measurement.
+
+#include "cli/case_file.hpp"
+#include "cli/effect_case.hpp"
+#include "core/error.hpp"
+#include "discrepancy/effect.hpp"
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace braidzone {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const fs::path hidden_push = fs::path(BRAIDZONE_SOURCE_DIR) / "cases/hidden_push";
+
+struct Ended {
+    int status = 0;
+    std::string out, err;
+};
+
+Ended run(std::vector<std::string> arguments, const fs::path& folder)
+{
+    arguments.insert(arguments.begin(), "diagnose");
+    const test::Program program(arguments, folder);
+    const int status = program.wait();
+    return {status, program.out(), program.err()};
+}
+
+nlohmann::json json_in(const fs::path& file)
+{
+    return nlohmann::json::parse(std::ifstream(file));
+}
+
+std::string first_lines(const fs::path& file, int count)
+{
+    std::ifstream text(file);
+    std::string lines, line;
+    for (int i = 0; i < count && std::getline(text, line); ++i)
+        lines += line + "\n";
+    return lines;
+}
+
+/// A case that differs from the shipped one by what follows it.
+fs::path case_with(const test::TemporaryFolder& folder, const std::string& more)
+{
+    const fs::path vessel = fs::path(BRAIDZONE_SOURCE_DIR) / "cases/sidewall_aneurysm";
+    return folder.write("case.toml",
+                        "[vessel]\nsurface = \"" + (vessel / "vessel.stl").string() +
+                            "\"\nlength_unit = \"mm\"\ncenterline = \"" +
+                            (vessel / "centerline.vtp").string() +
+                            "\"\n[device]\nname = \"pipeline-flex\"\ndiameter = \"4 mm\"\nlength = "
+                            "\"20 mm\"\n[deployment]\nlanding_distal = \"25 mm\"\n" +
+                            more);
+}
+
+}  // namespace
+
+TEST(DiagnoseVerb, NamesTheHiddenPushAndWritesACaseWithIt)
+{
+    const test::TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    const Ended ended = run({(hidden_push / "case.toml").string(), "--measured",
+                             (hidden_push / "measured.csv").string(), "--scalars",
+                             (hidden_push / "measured.toml").string(), "--output", output.string()},
+                            folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr("local_push: the operator pushed"));
+    const auto result = json_in(output / "diagnosis.json");
+    EXPECT_EQ(result["answer"]["finding"], "named");
+    EXPECT_EQ(result["answer"]["effects"], nlohmann::json({"local_push"}));
+    EXPECT_GT(fs::file_size(output / "discrepancy.png"), 1000u);
+
+    // The new case holds the push that the diagnosis reports.
+    const Case fixed = read_case(output / "case_with_local_push.toml");
+    ASSERT_EQ(fixed.schedule.windows.size(), 1u);
+    for (const auto& effect : result["effects"]) {
+        if (effect["effect"] != "local_push") continue;
+        EXPECT_NEAR(fixed.schedule.windows[0].spacing,
+                    1.0 + effect["parameters"]["spacing_change"]["value"].get<double>(), 1e-9);
+        EXPECT_NEAR(0.5e3 * (fixed.schedule.windows[0].from + fixed.schedule.windows[0].to),
+                    effect["parameters"]["centre"]["value"].get<double>(), 1e-6);
+        EXPECT_NEAR(effect["parameters"]["centre"]["value"].get<double>(), 15.0, 1.0);
+    }
+    EXPECT_THAT(first_lines(output / "case_with_local_push.toml", 9),
+                testing::AllOf(HasSubstr("found by braidzone diagnose"),
+                               HasSubstr("deployment.push_pull.0.spacing: absent -> 0.")));
+}
+
+TEST(DiagnoseVerb, RefusesWhatItCannotUse)
+{
+    const test::TemporaryFolder folder;
+    const std::string measured = (hidden_push / "measured.csv").string();
+    const std::string good = (hidden_push / "case.toml").string();
+    EXPECT_EQ(run({good}, folder.path()).status, 2);
+    EXPECT_EQ(run({good, "--measured", "nowhere.csv"}, folder.path()).status, 5);
+    const Ended two = run({good, "--measured", measured, "--measured", measured}, folder.path());
+    EXPECT_EQ(two.status, 2);
+    EXPECT_THAT(two.err, HasSubstr("takes one measured surface, 2 are given"));
+    const Ended calibrate =
+        run({good, "--calibrate", "--measured", measured, "--scalars", "m.toml"}, folder.path());
+    EXPECT_EQ(calibrate.status, 2);
+    EXPECT_THAT(calibrate.err, HasSubstr("--scalars has no part in --calibrate"));
+
+    const Ended axial = run(
+        {case_with(folder, "axial = \"free\"\n").string(), "--measured", measured}, folder.path());
+    EXPECT_EQ(axial.status, 2);
+    EXPECT_THAT(axial.err, HasSubstr("deployment.axial = \"free\" is not covered by diagnose"));
+    const Ended second =
+        run({case_with(folder,
+                       "[second_device]\nname = \"pipeline-flex\"\ndiameter = \"4 mm\"\nlength = "
+                       "\"10 mm\"\nlanding_distal = \"20 mm\"\n")
+                 .string(),
+             "--measured", measured},
+            folder.path());
+    EXPECT_EQ(second.status, 2);
+    EXPECT_THAT(second.err, HasSubstr("second_device is not covered by diagnose"));
+}
+
+TEST(DiagnoseVerb, KeepsAFolderThatItDidNotWrite)
+{
+    const test::TemporaryFolder folder;
+    folder.write("mine/notes.txt", "keep");
+    const Ended ended = run(
+        {(hidden_push / "case.toml").string(), "--measured",
+         (hidden_push / "measured.csv").string(), "--output", (folder.path() / "mine").string()},
+        folder.path());
+    EXPECT_EQ(ended.status, 5);
+    EXPECT_THAT(ended.err, HasSubstr("it holds no diagnosis.json of a run"));
+    EXPECT_TRUE(fs::exists(folder.path() / "mine/notes.txt"));
+}
+
+TEST(DiagnoseVerb, LearnsANoiseFloor)
+{
+    const test::TemporaryFolder folder;
+    const std::string measured = (hidden_push / "measured.csv").string();
+    const fs::path output = folder.path() / "noise.json";
+    const Ended ended =
+        run({(hidden_push / "case.toml").string(), "--calibrate", "--measured", measured,
+             "--measured", measured, "--measured", measured, "--output", output.string()},
+            folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_EQ(json_in(output)["source"], "learned from 3 measurements without an effect");
+}
+
+TEST(CaseFile, ReadsTheImagingAndTheWallOffset)
+{
+    const test::TemporaryFolder folder;
+    const Case job = read_case(
+        case_with(
+            folder,
+            "[measurement]\nblooming = \"0.1 mm\"\nshift = [\"1 mm\", \"0 mm\", \"-2 mm\"]\npivot "
+            "= "
+            "[\"5 mm\", \"0 mm\", \"0 mm\"]\nrotation = [\"0 deg\", \"180 deg\", \"0 deg\"]\n"),
+        {"vessel.wall_offset=-0.05 mm"});
+    EXPECT_DOUBLE_EQ(job.measurement.blooming, 0.1e-3);
+    EXPECT_LT((job.measurement.shift - Vec3(1e-3, 0.0, -2e-3)).norm(), 1e-15);
+    EXPECT_LT((job.measurement.pivot - Vec3(5e-3, 0.0, 0.0)).norm(), 1e-15);
+    EXPECT_LT((job.measurement.rotation - Vec3(0.0, 3.14159265358979, 0.0)).norm(), 1e-12);
+    EXPECT_DOUBLE_EQ(job.vessel.wall_offset, -0.05e-3);
+    try {
+        read_case(case_with(folder, "[measurement]\nrotation = [\"1 deg\"]\n"));
+        FAIL();
+    } catch (const ConfigError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("measurement.rotation has 1 angles; three are needed"));
+    }
+}
+
+// Each effect of the catalogue reaches the case file: the case with it differs in the effect's own
+// keys, and reads back to the same model.
+TEST(EffectCase, HoldsEveryEffectInItsOwnKeys)
+{
+    const test::TemporaryFolder folder;
+    const Case job = read_case(case_with(folder, ""));
+    EffectSetting setting;
+    setting.base = {.device = job.device,
+                    .landing_distal = 25e-3,
+                    .schedule = job.schedule,
+                    .options = job.deployment,
+                    .imaging = {}};
+    setting.from = 5e-3;
+    setting.to = 25e-3;
+    const std::map<std::string, std::string> key = {
+        {"registration", "measurement."},
+        {"blooming", "measurement.blooming: "},
+        {"vessel_offset", "vessel.wall_offset: "},
+        {"wall_compliance", "deployment.wall_stiffness: "},
+        {"landing_offset", "deployment.landing_distal: "},
+        {"nominal_diameter", "device.diameter: "},
+        {"braid_ratio", "device.braid_ratio: "},
+        {"local_push", "deployment.push_pull.0."},
+        {"local_pull", "deployment.push_pull.0."}};
+    for (const Effect& effect : effect_catalogue()) {
+        EffectFit fit;
+        fit.effect = effect.name;
+        fit.parameters = effect.parameters(setting);
+        for (const EffectParameter& parameter : fit.parameters) {
+            // off the prior's mean, to the side that the bounds allow
+            const double step = 0.5 * parameter.prior_sd;
+            fit.values.push_back(parameter.prior_mean + step <= parameter.upper
+                                     ? parameter.prior_mean + step
+                                     : parameter.prior_mean - step);
+            fit.sd.push_back(step);
+        }
+        const Model model = effect.apply(setting, fit.values);
+        const auto changes = changed_keys(job, case_of(job, model));
+        ASSERT_FALSE(changes.empty()) << effect.name;
+        for (const std::string& change : changes)
+            EXPECT_TRUE(change.starts_with(key.at(effect.name))) << effect.name << ": " << change;
+        const Case back = read_case(
+            folder.write(effect.name + ".toml", effect_case_text(job, model, fit, "measured.csv")));
+        EXPECT_THAT(changed_keys(case_of(job, model), back), testing::IsEmpty()) << effect.name;
+    }
+}
+
+}  // namespace braidzone
