@@ -33,21 +33,6 @@ const Effect& effect_named(const std::vector<Effect>& catalogue, const std::stri
                          [&](const Effect& effect) { return effect.name == name; });
 }
 
-std::string name_of(Finding finding)
-{
-    switch (finding) {
-        case Finding::nothing_missing:
-            return "nothing_missing";
-        case Finding::named:
-            return "named";
-        case Finding::ambiguous:
-            return "ambiguous";
-        case Finding::unknown:
-            return "unknown";
-    }
-    return "";
-}
-
 /// Where a cluster lies, in words.
 std::string label(const ClusterPlace& place, const Cluster& cluster)
 {

@@ -41,4 +41,19 @@ Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unkn
     return verdict;
 }
 
+std::string name_of(Finding finding)
+{
+    switch (finding) {
+        case Finding::nothing_missing:
+            return "nothing_missing";
+        case Finding::named:
+            return "named";
+        case Finding::ambiguous:
+            return "ambiguous";
+        case Finding::unknown:
+            return "unknown";
+    }
+    return "";
+}
+
 }  // namespace braidzone

@@ -28,6 +28,9 @@ enum class Finding {
     unknown,    ///< something, but none of the known effects
 };
 
+/// "nothing_missing", "named", "ambiguous" or "unknown".
+std::string name_of(Finding finding);
+
 struct Verdict {
     Finding finding = Finding::nothing_missing;
     /// The effects that explain the data about equally well, best first; empty unless named or

@@ -638,7 +638,8 @@ TEST(BadCommandLine, EndsWithStatus2)
     const std::vector<std::pair<std::vector<std::string>, std::string>> commands = {
         {{}, "subcommand"},
         {{"calibrate", "case.toml"}, "--measured is required"},
-        {{"diagnose", "case.toml"}, "diagnose"},
+        {{"diagnose", "case.toml"}, "--measured is required"},
+        {{"stent", "case.toml"}, "stent"},
         {{"run"}, "CASE is required"},
         {{"run", "case.toml", "--colour"}, "--colour"},
         {{"run", "case.toml", "--threads", "0"}, "--threads"},

@@ -1,6 +1,7 @@
 #include "cli/case_file.hpp"
 #include "cli/resolved_case.hpp"
 #include "core/error.hpp"
+#include "support/case_texts.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -10,17 +11,6 @@
 
 namespace braidzone {
 namespace {
-
-constexpr auto smallest = R"([vessel]
-surface = "vessel.stl"
-length_unit = "mm"
-[device]
-name = "pipeline-flex"
-diameter = "4 mm"
-length = "20 mm"
-[deployment]
-landing_distal = "18 mm"
-)";
 
 constexpr auto everything = R"([vessel]
 surface = "/data/vessel.vtp"
@@ -103,7 +93,7 @@ distance_spacing = "0.05 mm"
 TEST(CaseFile, NeedsFewKeys)
 {
     const test::TemporaryFolder folder;
-    const Case job = read_case(folder.write("case.toml", smallest));
+    const Case job = read_case(folder.write("case.toml", test::smallest_case));
     EXPECT_EQ(job.vessel.surface, folder.path() / "vessel.stl");
     EXPECT_EQ(job.vessel.unit.metres, 1e-3);
     EXPECT_FALSE(job.vessel.centerline.has_value());
@@ -175,7 +165,7 @@ TEST(CaseFile, WritesSurfacesAtTheFieldsSpacingByDefault)
 {
     const test::TemporaryFolder folder;
     const Case job = read_case(folder.write(
-        "case.toml", std::string(smallest) +
+        "case.toml", std::string(test::smallest_case) +
                          "[grid]\nspacing = \"0.15 mm\"\n[[export]]\nformat = \"surfaces\"\n"));
     EXPECT_FALSE(job.exports.openfoam.has_value());
     ASSERT_TRUE(job.exports.surfaces.has_value());
@@ -201,7 +191,7 @@ TEST(CaseFile, ReadsANeckAndASecondDevice)
 TEST(CaseFile, TakesEndsOfAComputedCenterline)
 {
     const test::TemporaryFolder folder;
-    std::string text = smallest;
+    std::string text = test::smallest_case;
     text.insert(text.find("[device]"), "from = 1\nto = [\"1 mm\", \"2 mm\", \"3 mm\"]\n");
     const Case job = read_case(folder.write("case.toml", text));
     EXPECT_EQ(std::get<int>(*job.vessel.from), 1);
@@ -211,7 +201,7 @@ TEST(CaseFile, TakesEndsOfAComputedCenterline)
 TEST(CaseFile, LetsOverridesWin)
 {
     const test::TemporaryFolder folder;
-    const Case job = read_case(folder.write("case.toml", smallest),
+    const Case job = read_case(folder.write("case.toml", test::smallest_case),
                                {"device.diameter=4.5 mm", "grid.spacing=0.2 mm"});
     EXPECT_EQ(job.device.nominal_diameter, 4.5e-3);
     EXPECT_EQ(job.deposit.spacing, 2e-4);
@@ -231,8 +221,8 @@ TEST(CaseFile, TakesEveryLawByName)
         {"brundrett", "fit_velocity = \"50 mm/s\"\n"}};
     for (const std::string& name : law_names()) {
         const auto more = keys.find(name);
-        const std::string text = std::string(smallest) + "[porous]\nlaw = \"" + name + "\"\n" +
-                                 (more == keys.end() ? "" : more->second);
+        const std::string text = std::string(test::smallest_case) + "[porous]\nlaw = \"" + name +
+                                 "\"\n" + (more == keys.end() ? "" : more->second);
         const Case job = read_case(folder.write("case.toml", text));
         EXPECT_EQ(law_name(job.law), name);
         const Case again = read_case(folder.write("again.toml", resolved_case_text(job)));
@@ -249,9 +239,10 @@ TEST(CaseFile, TakesEveryLawByName)
 TEST(ResolvedCase, ReadsBackAsTheSameCase)
 {
     const test::TemporaryFolder folder;
-    std::string computed = smallest;
+    std::string computed = test::smallest_case;
     computed.insert(computed.find("[device]"), "from = 1\nto = [\"1 mm\", \"2 mm\", \"3 mm\"]\n");
-    for (const std::string& text : {std::string(smallest), std::string(everything), computed}) {
+    for (const std::string& text :
+         {std::string(test::smallest_case), std::string(everything), computed}) {
         const Case job = read_case(folder.write("case.toml", text));
         const Case again = read_case(folder.write("again.toml", resolved_case_text(job)));
         EXPECT_EQ(resolved_case(again).dump(2), resolved_case(job).dump(2));
@@ -264,7 +255,7 @@ TEST(ResolvedCase, ReadsBackAsTheSameCase)
 TEST(ResolvedCase, StatesDefaultsAndUnits)
 {
     const test::TemporaryFolder folder;
-    const auto json = resolved_case(read_case(folder.write("case.toml", smallest)));
+    const auto json = resolved_case(read_case(folder.write("case.toml", test::smallest_case)));
     EXPECT_EQ(json["vessel"]["surface"], (folder.path() / "vessel.stl").string());
     EXPECT_EQ(json["vessel"]["length_unit"], "mm");
     EXPECT_EQ(json["device"]["wire_diameter"], "3e-05 m");

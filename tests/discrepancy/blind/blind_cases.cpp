@@ -125,21 +125,6 @@ Hidden random_effect(const std::string& effect, const Belief& belief, const Lume
     return hidden;
 }
 
-const char* name_of(Finding finding)
-{
-    switch (finding) {
-        case Finding::nothing_missing:
-            return "nothing";
-        case Finding::named:
-            return "named";
-        case Finding::ambiguous:
-            return "ambiguous";
-        case Finding::unknown:
-            return "unknown";
-    }
-    return "";
-}
-
 Lumen believed_lumen(const Phantom& phantom)
 {
     PhantomVessel made = make_phantom(phantom);
