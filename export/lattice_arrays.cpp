@@ -75,24 +75,24 @@ std::vector<LatticeFile> write_lattice_arrays(const std::filesystem::path& folde
             {"normal.npy", "float32", vector_shape, order}};
 }
 
-LatticeFile write_palabos_geometry(const std::filesystem::path& path, const LatticeNodes& nodes)
+LatticeFile write_palabos_geometry(const std::filesystem::path& path, const LatticeNodes& nodes,
+                                   const NodeBox& box)
 {
     BinaryFile file(path);
-    const auto& [nx, ny, nz] = nodes.grid.dims;
-    for (int i = 0; i < nx; ++i) {
+    for (int i = box.first[0]; i <= box.last[0]; ++i) {
         std::string text;
-        for (int j = 0; j < ny; ++j) {
-            for (int k = 0; k < nz; ++k) {
+        for (int j = box.first[1]; j <= box.last[1]; ++j) {
+            for (int k = box.first[2]; k <= box.last[2]; ++k) {
                 const std::uint8_t type = nodes.type[nodes.grid.index(i, j, k)];
                 const bool is_wall = type == static_cast<std::uint8_t>(NodeType::wall);
                 text += is_open(type) ? '0' : is_wall ? '1' : '2';
-                text += k + 1 < nz ? ' ' : '\n';
+                text += k < box.last[2] ? ' ' : '\n';
             }
         }
         file.write(text);
     }
     file.close();
-    return {path.filename(), "integers in text", shape_of(nodes.grid.dims), "last index fastest"};
+    return {path.filename(), "integers in text", shape_of(box.dims()), "last index fastest"};
 }
 
 LatticeFile write_walberla_mask(const std::filesystem::path& path, const LatticeNodes& nodes)

@@ -2,6 +2,7 @@
 
 #include "export/lattice_files.hpp"
 #include "export/lattice_nodes.hpp"
+#include "export/node_box.hpp"
 
 #include <filesystem>
 
@@ -17,9 +18,12 @@ std::vector<LatticeFile> write_lattice_arrays(const std::filesystem::path& folde
 
 /// Writes geometry.dat for Palabos (examples/tutorial/permeability): integers in text, x slowest
 /// and z fastest, a line for each x and y; 0 in the fluid and at openings, 1 on the wall, 2
-/// elsewhere.
+/// elsewhere. The tutorial drives flow through the first and last layer, where the openings must
+/// be.
+/// @param box  the part that is written, see `box_of_used`
 /// @throws IoError if the file cannot be written
-LatticeFile write_palabos_geometry(const std::filesystem::path& path, const LatticeNodes& nodes);
+LatticeFile write_palabos_geometry(const std::filesystem::path& path, const LatticeNodes& nodes,
+                                   const NodeBox& box);
 
 /// Writes mask_u8.raw for waLBerla (BinaryRawFile): a byte for each node, x fastest, 1 where there
 /// is fluid or an opening, else 0. Its reader skips bytes that are white space, so that no others

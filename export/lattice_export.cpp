@@ -9,6 +9,7 @@
 #include "export/lattice_openlb.hpp"
 #include "export/lattice_readme.hpp"
 #include "export/lattice_stability.hpp"
+#include "export/node_box.hpp"
 #include "export/text_file.hpp"
 
 #include <fmt/format.h>
@@ -76,7 +77,7 @@ std::vector<LatticeFile> write_target(LatticeTarget target, const fs::path& fold
         case LatticeTarget::openlb:
             return write_openlb(folder, nodes, fluid, units);
         case LatticeTarget::palabos:
-            return {write_palabos_geometry(folder / "geometry.dat", nodes)};
+            return {write_palabos_geometry(folder / "geometry.dat", nodes, box_of_used(nodes))};
         case LatticeTarget::walberla:
             return {write_walberla_mask(folder / "mask_u8.raw", nodes)};
         case LatticeTarget::hemoflow:

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <optional>
 
 namespace braidzone {
 
@@ -127,11 +128,11 @@ Json targets_as_json(const fs::path& folder, const LatticeDescription& lattice)
     for (const WrittenTarget& written : lattice.targets) {
         const TargetTraits& traits = traits_of(written.stability.target);
         Json entry{{"stability", stability_as_json(written.stability)}};
-        if (traits.flat_openings != nullptr) {
-            const NodeBox box =
-                box_between_openings(lattice.nodes, lattice.vessel, traits.target).box;
-            entry["box"] = {{"first", box.first}, {"dims", box.dims()}};
-        }
+        std::optional<NodeBox> box;  // absent: the whole lattice
+        if (traits.flat_openings != nullptr)
+            box = box_between_openings(lattice.nodes, lattice.vessel, traits.target).box;
+        if (traits.target == LatticeTarget::palabos) box = box_of_used(lattice.nodes);
+        if (box) entry["box"] = {{"first", box->first}, {"dims", box->dims()}};
         if (traits.target == LatticeTarget::lbpm)
             entry["quadratic_over_sheet"] = lbpm_quadratic_ratio(lattice.nodes);
         entry["files"] = files_as_json(folder / traits.name, written.files);

@@ -36,7 +36,9 @@ nothing. As `examples/tutorial/permeability` reads it:
 
     ./permeability geometry.dat out NX NY NZ dp
 
-with NX NY NZ the `dims` of `../lattice.json`. The walls only: the device's resistance is not in it.
+with NX NY NZ the `dims` of `box` under `palabos` in `../lattice.json`; node (0, 0, 0) is its `first`. The
+tutorial drives flow along x, through the first and the last layer: the openings must lie there (`openings`
+of the export lays them on faces of the box). The walls only: the device's resistance is not in it.
 )";
 
 constexpr const char* walberla_readme = R"(# waLBerla

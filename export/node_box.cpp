@@ -45,6 +45,23 @@ struct TypeExtents {
 
 }  // namespace
 
+NodeBox box_of_used(const LatticeNodes& nodes)
+{
+    const TypeExtents extents(nodes);
+    NodeBox box;
+    box.first = nodes.grid.dims;
+    box.last.fill(-1);
+    for (std::size_t type = 0; type < extents.of_type.size(); ++type) {
+        if (type == static_cast<std::size_t>(NodeType::unused)) continue;
+        const auto& [lowest, highest] = extents.of_type[type];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            box.first[axis] = std::min(box.first[axis], lowest[axis]);
+            box.last[axis] = std::max(box.last[axis], highest[axis]);
+        }
+    }
+    return box;
+}
+
 OpeningBox box_between_openings(const LatticeNodes& nodes, const Vessel& vessel,
                                 LatticeTarget target)
 {

@@ -33,6 +33,10 @@ struct OpeningBox {
     std::vector<BoxFace> faces;  ///< of each of the lattice's openings
 };
 
+/// The smallest box with all nodes that are not unused. Openings that lie flat across an axis at
+/// its ends are its first and last layer there.
+NodeBox box_of_used(const LatticeNodes& nodes);
+
 /// The part of a lattice between its openings.
 /// @param target  that wants it, for messages
 /// @throws ConfigError if an opening's nodes are not one layer across an axis, with the angle that

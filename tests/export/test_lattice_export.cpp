@@ -111,7 +111,7 @@ TEST_F(LatticeExport, NumpyReadsEveryNodeAtItsPlace)
 TEST_F(LatticeExport, PalabosGeometryHasXSlowest)
 {
     const fs::path path = folder() / "geometry.dat";
-    write_palabos_geometry(path, nodes);
+    write_palabos_geometry(path, nodes, {{0, 0, 0}, {2, 3, 4}});
     const std::string content = text_of(path);
     std::istringstream text(content);
     for_each_node([&](int i, int j, int k, std::size_t index) {
@@ -123,6 +123,23 @@ TEST_F(LatticeExport, PalabosGeometryHasXSlowest)
     int beyond = 0;
     EXPECT_FALSE(text >> beyond);
     EXPECT_EQ(std::count(content.begin(), content.end(), '\n'), 3 * 4);
+}
+
+// Of the box alone: node (1, 2, 3) first.
+TEST_F(LatticeExport, PalabosGeometryIsOfTheBox)
+{
+    const fs::path path = folder() / "geometry.dat";
+    const LatticeFile file = write_palabos_geometry(path, nodes, {{1, 2, 3}, {2, 3, 4}});
+    EXPECT_EQ(file.shape, (std::vector<int>{2, 2, 2}));
+    std::istringstream text(text_of(path));
+    for (const int i : {1, 2})
+        for (const int j : {2, 3})
+            for (const int k : {3, 4}) {
+                int value = -1;
+                text >> value;
+                const std::uint8_t type = nodes.type[nodes.grid.index(i, j, k)];
+                EXPECT_EQ(value, type == 0 ? 2 : type == 1 ? 1 : 0) << i << j << k;
+            }
 }
 
 TEST_F(LatticeExport, WalberlaMaskHasXFastest)
