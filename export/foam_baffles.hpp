@@ -45,7 +45,7 @@ struct FoamBaffles {
 ///
 /// Exact for flow across the sheet whatever the mesh's fineness. There is no resistance along it on
 /// a mesh that follows the sheet; steps hinder the flow along it as a rough wall does, to an
-/// unknown degree (sidewall phantom: 1.5 mm/s in the sac with steps of k = 1.3, 9.1 without, 13.7
+/// unknown degree (sidewall phantom: 1.5 mm/s in the sac with steps of k = 1.5, 9.1 without, 13.7
 /// untreated).
 ///
 /// @param most_groups  >= 1
