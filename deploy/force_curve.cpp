@@ -1,13 +1,13 @@
 #include "deploy/force_curve.hpp"
 
 #include "core/csv_fields.hpp"
+#include "core/csv_reader.hpp"
 #include "core/error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -51,44 +51,38 @@ std::vector<double> units_in(std::string_view header)
 
 ForceCurve read_force_curve(const std::filesystem::path& path)
 {
-    std::ifstream file(path);
-    if (!file) throw IoError(fmt::format("{} cannot be read", path.string()));
-    const auto refuse = [&](int line, const std::string& finding) {
-        return InputError(fmt::format("{}:{}: {}", path.string(), line, finding));
-    };
-    std::string line;
-    std::getline(file, line);
-    const std::vector<double> units = units_in(line);
+    CsvReader file(path);
+    const std::vector<double> units = units_in(file.header());
     if (units.empty()) {
-        throw refuse(1,
-                     fmt::format("\"{}\" is not the header of a force curve; expected is "
-                                 "displacement_mm,force_1_mN,force_2_mN,... (or _um, _m; _uN, _N)",
-                                 line));
+        throw file.refusal(
+            fmt::format("\"{}\" is not the header of a force curve; expected is "
+                        "displacement_mm,force_1_mN,force_2_mN,... (or _um, _m; _uN, _N)",
+                        file.header()));
     }
     ForceCurve curve;
     curve.num_repeats = static_cast<int>(units.size()) - 1;
     double squares = 0.0;
-    for (int number = 2; std::getline(file, line); ++number) {
-        if (line.empty() || line == "\r") continue;
-        const std::vector<std::string_view> fields = csv_fields(line);
+    while (const auto line = file.next()) {
+        if (line->empty()) continue;
+        const std::vector<std::string_view> fields = csv_fields(*line);
         std::vector<double> values;
         for (std::size_t i = 0; i < fields.size() && i < units.size(); ++i) {
             if (const auto value = csv_number(fields[i])) values.push_back(units[i] * *value);
         }
         if (fields.size() != units.size() || values.size() != units.size()) {
-            throw refuse(number,
-                         fmt::format("\"{}\" is not a point of the curve; expected are {} numbers",
-                                     line, units.size()));
+            throw file.refusal(
+                fmt::format("\"{}\" is not a point of the curve; expected are {} numbers", *line,
+                            units.size()));
         }
         ForcePoint point;
         point.displacement = values.front();
         point.force = std::accumulate(values.begin() + 1, values.end(), 0.0) / curve.num_repeats;
         if (point.displacement < 0.0 ||
             (!curve.points.empty() && !(point.displacement > curve.points.back().displacement))) {
-            throw refuse(number,
-                         fmt::format("displacement {:.6g} mm does not follow; displacements "
-                                     "increase from 0 or above",
-                                     1e3 * point.displacement));
+            throw file.refusal(
+                fmt::format("displacement {:.6g} mm does not follow; displacements "
+                            "increase from 0 or above",
+                            1e3 * point.displacement));
         }
         for (std::size_t i = 1; i < values.size(); ++i)
             squares += (values[i] - point.force) * (values[i] - point.force);

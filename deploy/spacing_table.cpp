@@ -1,13 +1,13 @@
 #include "deploy/spacing_table.hpp"
 
 #include "core/csv_fields.hpp"
+#include "core/csv_reader.hpp"
 #include "core/error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,7 +29,7 @@ std::optional<std::pair<std::string_view, std::string_view>> split_in_two(std::s
 
 std::string_view trimmed(std::string_view line)
 {
-    while (line.ends_with('\r') || line.ends_with(' '))
+    while (line.ends_with(' '))
         line.remove_suffix(1);
     return line;
 }
@@ -50,35 +50,30 @@ std::optional<double> metres_in_header(std::string_view line)
 
 std::vector<SpacingPoint> read_spacing_table(const std::filesystem::path& path)
 {
-    std::ifstream file(path);
-    if (!file) throw IoError(fmt::format("{} cannot be read", path.string()));
-    const auto refuse = [&](int line, const std::string& finding) {
-        return InputError(fmt::format("{}:{}: {}", path.string(), line, finding));
-    };
-
-    std::string line;
-    std::getline(file, line);
-    const std::optional<double> metres = metres_in_header(line);
+    CsvReader file(path);
+    const std::optional<double> metres = metres_in_header(file.header());
     if (!metres) {
-        throw refuse(1, fmt::format("\"{}\" is not the header of a spacing table; expected is {}",
-                                    trimmed(line), header_form));
+        throw file.refusal(
+            fmt::format("\"{}\" is not the header of a spacing table; expected is {}",
+                        trimmed(file.header()), header_form));
     }
     std::vector<SpacingPoint> table;
-    int number = 1, blank_line = 0;
-    while (std::getline(file, line)) {
-        ++number;
-        if (trimmed(line).empty()) {
-            blank_line = number;
+    int blank_line = 0;
+    while (const auto line = file.next()) {
+        if (trimmed(*line).empty()) {
+            blank_line = file.line_number();
             continue;
         }
-        if (blank_line > 0) throw refuse(blank_line, "is empty; a point of the table is expected");
-        const auto fields = split_in_two(line);
+        if (blank_line > 0)
+            throw file.refusal(blank_line, "is empty; a point of the table is expected");
+        const auto fields = split_in_two(*line);
         const auto arc_length = fields ? csv_number(fields->first) : std::nullopt;
         const auto spacing = fields ? csv_number(fields->second) : std::nullopt;
         if (!arc_length || !spacing) {
-            throw refuse(number, fmt::format("\"{}\" is not a point of the table; expected are two "
-                                             "numbers with a comma between",
-                                             trimmed(line)));
+            throw file.refusal(
+                fmt::format("\"{}\" is not a point of the table; expected are two "
+                            "numbers with a comma between",
+                            trimmed(*line)));
         }
         table.push_back({*metres * *arc_length, *spacing});
         const std::size_t n = table.size();
@@ -86,15 +81,13 @@ std::vector<SpacingPoint> read_spacing_table(const std::filesystem::path& path)
         const bool increasing = table[1].arc_length > table[0].arc_length;
         const double step = table[n - 1].arc_length - table[n - 2].arc_length;
         if (!(increasing ? step > 0.0 : step < 0.0)) {
-            throw refuse(number,
-                         fmt::format("arc length {} follows {}; arc lengths must go one way",
-                                     *arc_length, table[n - 2].arc_length / *metres));
+            throw file.refusal(fmt::format("arc length {} follows {}; arc lengths must go one way",
+                                           *arc_length, table[n - 2].arc_length / *metres));
         }
     }
-    if (file.bad()) throw IoError(fmt::format("{} cannot be read to its end", path.string()));
     if (table.size() < 2) {
-        throw refuse(number,
-                     fmt::format("the table has {} points; at least 2 are expected", table.size()));
+        throw file.refusal(
+            fmt::format("the table has {} points; at least 2 are expected", table.size()));
     }
     if (table.front().arc_length > table.back().arc_length)
         std::reverse(table.begin(), table.end());

@@ -1,13 +1,13 @@
 #include "export/flow_waveform.hpp"
 
 #include "core/csv_fields.hpp"
+#include "core/csv_reader.hpp"
 #include "core/error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -53,60 +53,51 @@ std::optional<Units> units_in(std::string_view header)
 
 FlowWaveform read_flow_waveform(const std::filesystem::path& path)
 {
-    std::ifstream file(path);
-    if (!file) throw IoError(fmt::format("{} cannot be read", path.string()));
-    const auto refuse = [&](int line, const std::string& finding) {
-        return InputError(fmt::format("{}:{}: {}", path.string(), line, finding));
-    };
-    std::string line;
-    std::getline(file, line);
-    const auto drop_carriage_return = [&] {
-        if (line.ends_with('\r')) line.pop_back();
-    };
-    drop_carriage_return();
-    const std::optional<Units> units = units_in(line);
+    CsvReader file(path);
+    const std::optional<Units> units = units_in(file.header());
     if (!units) {
-        throw refuse(1, fmt::format("\"{}\" is not the header of a flow waveform; expected is "
-                                    "time_s,flow_rate_mL_s (or time_ms; flow_rate_mL_min, "
-                                    "flow_rate_m3_s)",
-                                    line));
+        throw file.refusal(
+            fmt::format("\"{}\" is not the header of a flow waveform; expected is "
+                        "time_s,flow_rate_mL_s (or time_ms; flow_rate_mL_min, "
+                        "flow_rate_m3_s)",
+                        file.header()));
     }
     FlowWaveform waveform;
     waveform.file = path;
     int last_line = 1;
-    for (int number = 2; std::getline(file, line); ++number) {
-        drop_carriage_return();
-        if (line.find_first_not_of(" \t") == std::string::npos) continue;
-        const auto fields = csv_fields(line);
+    while (const auto line = file.next()) {
+        if (line->find_first_not_of(" \t") == std::string::npos) continue;
+        const auto fields = csv_fields(*line);
         const auto time = csv_number(fields[0]);
         const auto flow_rate = csv_number(fields.back());
         if (fields.size() != 2 || !time || !flow_rate) {
-            throw refuse(number, fmt::format("\"{}\" is not a point of the waveform; expected are "
-                                             "two numbers with a comma between",
-                                             line));
+            throw file.refusal(
+                fmt::format("\"{}\" is not a point of the waveform; expected are "
+                            "two numbers with a comma between",
+                            *line));
         }
         if (waveform.times.empty() && *time != 0.0)
-            throw refuse(number, fmt::format("the first time is {}; it must be 0", *time));
+            throw file.refusal(fmt::format("the first time is {}; it must be 0", *time));
         const double seconds = units->time * *time;
         if (!waveform.times.empty() && !(seconds > waveform.times.back())) {
-            throw refuse(number, fmt::format("time {} follows {}; times must increase", *time,
-                                             waveform.times.back() / units->time));
+            throw file.refusal(fmt::format("time {} follows {}; times must increase", *time,
+                                           waveform.times.back() / units->time));
         }
         waveform.times.push_back(seconds);
         waveform.flow_rates.push_back(units->flow_rate * *flow_rate);
-        last_line = number;
+        last_line = file.line_number();
     }
-    if (file.bad()) throw IoError(fmt::format("{} cannot be read to its end", path.string()));
     if (waveform.times.size() < fewest_points) {
-        throw refuse(last_line, fmt::format("the waveform has {} points; at least {} are expected",
-                                            waveform.times.size(), fewest_points));
+        throw file.refusal(last_line,
+                           fmt::format("the waveform has {} points; at least {} are expected",
+                                       waveform.times.size(), fewest_points));
     }
     double largest = 0.0;
     for (const double flow_rate : waveform.flow_rates)
         largest = std::max(largest, std::abs(flow_rate));
     double& first = waveform.flow_rates.front();
     if (!(std::abs(waveform.flow_rates.back() - first) <= closing_tolerance * largest)) {
-        throw refuse(
+        throw file.refusal(
             last_line,
             fmt::format("the last flow rate is {:.6g} and the first {:.6g}; the flow "
                         "repeats, and the last point must close the period",

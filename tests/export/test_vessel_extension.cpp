@@ -36,27 +36,12 @@ Vessel turned_tube(double angle)
 /// about the x axis.
 Vessel open_ring(double gap)
 {
-    constexpr int around = 24, along = 60;
     constexpr double ring_radius = 6e-3;
-    TriangleMesh mesh;
-    for (int k = 0; k <= along; ++k) {
-        const double angle = 0.5 * gap + (2.0 * pi - gap) * k / along;
+    TriangleMesh mesh = test::tube(radius, 1.0, 24, 60);
+    for (Vec3& point : mesh.points) {
+        const double angle = 0.5 * gap + (2.0 * pi - gap) * point.z();
         const Vec3 outwards(std::cos(angle), std::sin(angle), 0.0);
-        for (int j = 0; j < around; ++j) {
-            const double turn = 2.0 * pi * j / around;
-            mesh.points.emplace_back(
-                ring_radius * outwards +
-                radius * (std::cos(turn) * outwards - std::sin(turn) * Vec3::UnitZ()));
-        }
-    }
-    for (int k = 0; k < along; ++k) {
-        for (int j = 0; j < around; ++j) {
-            const int next = (j + 1) % around;
-            const int a = k * around + j, b = k * around + next;
-            const int c = (k + 1) * around + next, d = (k + 1) * around + j;
-            mesh.triangles.push_back({a, b, c});
-            mesh.triangles.push_back({a, c, d});
-        }
+        point = (ring_radius + point.x()) * outwards - point.y() * Vec3::UnitZ();
     }
     return make_vessel(mesh, LengthUnit{});
 }
