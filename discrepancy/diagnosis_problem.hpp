@@ -1,0 +1,58 @@
+#pragma once
+
+#include "discrepancy/effect_parameter.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace braidzone {
+
+/// An effect that may be missing, as the search for it sees it.
+struct Candidate {
+    std::string name;   ///< "local_push"
+    std::string title;  ///< for people: "the operator pushed"
+    std::vector<EffectParameter> parameters;
+    /// Where fits begin, each a value for each parameter [SI]; the first parameter is the
+    /// amplitude.
+    std::vector<std::vector<double>> starts;
+    /// False where the simulation need not run again, as for how the device was seen.
+    bool needs_simulation = true;
+    std::string separated_by = {};  ///< a measurement that would tell it from others
+};
+
+/// A candidate that is in the model.
+struct ActiveEffect {
+    std::size_t candidate = 0;       ///< index in `DiagnosisProblem::candidates`
+    std::vector<double> values = {};  ///< of its parameters [SI]
+};
+
+/// A measurement against its simulation: all that the search for a missing effect needs to know
+/// of an observable. One small adapter makes it: of a device's surface (`surface_problem.hpp`), a
+/// press test's force curve, a bench's pressure drop.
+///
+/// Residuals are measured minus simulated, in the observable's own unit. The first of them,
+/// `distances.rows()`, form a field over a coordinate of their own (places on the device,
+/// displacements of a head, velocities); the others are single numbers.
+struct DiagnosisProblem {
+    std::vector<Candidate> candidates;
+    /// Residuals with effects in the model, none for the case as it is; may be called from several
+    /// threads. Throws `Error` where the simulation is not possible.
+    std::function<Eigen::VectorXd(const std::vector<ActiveEffect>&)> residuals;
+    /// Of the residuals where no effect is missing: noise, imperfections, nuisances marginalised.
+    Eigen::MatrixXd covariance;
+    /// Between the field's residuals, in the unit of its coordinate.
+    Eigen::MatrixXd distances;
+    /// Distance over which the error of an effect's implementation stays alike.
+    double correlation_length = 0.0;
+    /// Standard deviations and correlation lengths of the unknown effect, a Gaussian process over
+    /// the field, each combination alike probable.
+    std::vector<double> unknown_amplitudes, unknown_lengths;
+    /// Standard deviations by which the single numbers may be off for unknown reasons.
+    std::vector<double> unknown_deviations;
+};
+
+}  // namespace braidzone
