@@ -26,7 +26,7 @@ struct Candidate {
 
 /// A candidate that is in the model.
 struct ActiveEffect {
-    std::size_t candidate = 0;       ///< index in `DiagnosisProblem::candidates`
+    std::size_t candidate = 0;        ///< index in `DiagnosisProblem::candidates`
     std::vector<double> values = {};  ///< of its parameters [SI]
 };
 
