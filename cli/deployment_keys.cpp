@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -15,8 +16,8 @@
 namespace braidzone {
 namespace {
 
-template <typename Choice>
-using Names = std::array<std::pair<Choice, std::string_view>, 2>;
+template <typename Choice, std::size_t size = 2>
+using Names = std::array<std::pair<Choice, std::string_view>, size>;
 
 constexpr Names<LatticeKind> lattices{
     {{LatticeKind::crossings, "crossings"}, {LatticeKind::paper_2020, "paper-2020"}}};
@@ -26,24 +27,31 @@ constexpr Names<ReleaseMode> release_modes{
     {{ReleaseMode::nominal, "nominal"}, {ReleaseMode::force_free, "force_free"}}};
 constexpr Names<ReleaseOrder> release_orders{
     {{ReleaseOrder::ring_by_ring, "ring_by_ring"}, {ReleaseOrder::at_once, "at_once"}}};
-constexpr Names<Motion> motions{
-    {{Motion::inertial, "inertial"}, {Motion::quasi_static, "quasi_static"}}};
+constexpr Names<Motion, 3> motions{{{Motion::inertial, "inertial"},
+                                    {Motion::quasi_static, "quasi_static"},
+                                    {Motion::none, "none"}}};
 constexpr Names<RingHub> ring_hubs{{{RingHub::fixed, "fixed"}, {RingHub::free, "free"}}};
 
-template <typename Choice>
-std::string_view name_in(const Names<Choice>& names, Choice choice)
+template <typename Choice, std::size_t size>
+std::string_view name_in(const Names<Choice, size>& names, Choice choice)
 {
-    return names[0].first == choice ? names[0].second : names[1].second;
+    return std::find_if(names.begin(), names.end(),
+                        [&](const auto& entry) { return entry.first == choice; })
+        ->second;
 }
 
-/// One of two choices, by its name.
-template <typename Choice>
-Choice read_choice(const TomlTable& table, const std::string& key, const Names<Choice>& names,
+/// One of a few choices, by its name.
+template <typename Choice, std::size_t size>
+Choice read_choice(const TomlTable& table, const std::string& key, const Names<Choice, size>& names,
                    Choice fallback)
 {
-    const std::string name = one_of(table, key, std::string(name_in(names, fallback)),
-                                    {std::string(names[0].second), std::string(names[1].second)});
-    return names[0].second == name ? names[0].first : names[1].first;
+    std::vector<std::string> allowed;
+    for (const auto& [choice, name] : names)
+        allowed.emplace_back(name);
+    const std::string chosen = one_of(table, key, std::string(name_in(names, fallback)), allowed);
+    return std::find_if(names.begin(), names.end(),
+                        [&](const auto& entry) { return entry.second == chosen; })
+        ->first;
 }
 
 }  // namespace
@@ -98,6 +106,23 @@ void require_that_friction_matters(const TomlTable& table, const DeployOptions& 
                     table.where("friction"), options.friction));
 }
 
+/// What only a motion can give.
+void require_motion_where_needed(const TomlTable& table, const DeployOptions& options)
+{
+    if (options.motion != Motion::none) return;
+    if (options.ring_hub == RingHub::free) {
+        throw ConfigError(
+            fmt::format("{} = \"none\" and ring_hub = \"free\" exclude each other: the "
+                        "shape of a braid whose hubs move is found by its motion",
+                        table.where("motion")));
+    }
+    if (options.num_frames > 0) {
+        throw ConfigError(
+            fmt::format("{} = \"none\" leaves no shapes on the way for num_frames = {}",
+                        table.where("motion"), options.num_frames));
+    }
+}
+
 DeployOptions read_deploy_options(const TomlTable& table)
 {
     DeployOptions options;
@@ -127,6 +152,7 @@ DeployOptions read_deploy_options(const TomlTable& table)
     options.max_settling_steps =
         integer_in_range(table, "max_settling_steps", options.max_settling_steps, 1, 1000000000);
     options.num_frames = integer_in_range(table, "num_frames", options.num_frames, 0, 10000);
+    require_motion_where_needed(table, options);
     return options;
 }
 

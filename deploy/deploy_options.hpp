@@ -13,8 +13,9 @@ enum class AxialMotion { locked, free };
 /// Ring by ring from the distal end, or all rings together.
 enum class ReleaseOrder { ring_by_ring, at_once };
 
-/// Damped motion with inertia, or without ("quasi-static approximation" of the paper).
-enum class Motion { inertial, quasi_static };
+/// Damped motion with inertia, or without ("quasi-static approximation" of the paper); or none: the
+/// shape at rest is solved for (`resting_shape.hpp`).
+enum class Motion { inertial, quasi_static, none };
 
 /// Where the radial springs of a ring are fixed: to the middle of the lumen or the centerline
 /// (`centre_rings`), or to a hub that finds its own place in the ring's plane.

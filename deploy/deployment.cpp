@@ -7,6 +7,7 @@
 #include "deploy/network_deployment.hpp"
 #include "deploy/opening_braid.hpp"
 #include "deploy/release_spacing.hpp"
+#include "deploy/resting_shape.hpp"
 #include "deploy/ring_centring.hpp"
 #include "deploy/spring_forces.hpp"
 #include "deploy/wall_contact.hpp"
@@ -68,6 +69,41 @@ struct RestingBraid {
     int steps = 0;
 };
 
+/// Force that counts as none on a braid at rest, in the units of the coefficients [N].
+double rest_tolerance(const CrimpedBraid& crimped, const SpringCoefficients& coefficients,
+                      const DeployOptions& options)
+{
+    return options.residual_tolerance * radial_stiffness(coefficients.radial) *
+           crimped.lattice.nominal_radius;
+}
+
+/// Solved to this much less than the tolerance, at the cost of one more iteration: derivatives of
+/// the shape by the case's parameters are then smooth.
+constexpr double direct_tolerance_ratio = 0.01;
+
+/// The braid at rest without a motion that leads there.
+RestingBraid solve_for_rest(const CrimpedBraid& crimped, const SpringCoefficients& coefficients,
+                            const WallSupport& support, const DeployOptions& options)
+{
+    const double tolerance = rest_tolerance(crimped, coefficients, options);
+    const RestingShape shape =
+        find_resting_shape(crimped, coefficients, support, direct_tolerance_ratio * tolerance);
+    RestingBraid rest;
+    const double scale = coefficients.force_scale;
+    rest.radii = shape.radii;
+    rest.spring_forces = shape.spring_forces;
+    for (double& force : rest.spring_forces)
+        force *= scale;
+    rest.wall_displacement.assign(rest.radii.size(), 0.0);
+    for (std::size_t i = 0; i < support.stiffness.size(); ++i)
+        rest.wall_displacement[i] = std::max(0.0, rest.radii[i] - support.stops[i]);
+    rest.residual = scale * shape.residual;
+    rest.tolerance = scale * tolerance;
+    rest.steps = shape.iterations;
+    rest.residual_history.push_back({rest.steps, rest.residual});
+    return rest;
+}
+
 /// Opens the braid until no free node bears a force above the tolerance.
 RestingBraid open(const CrimpedBraid& crimped, const SpringCoefficients& coefficients,
                   const WallSupport& support, const DeployOptions& options)
@@ -91,8 +127,7 @@ RestingBraid open(const CrimpedBraid& crimped, const SpringCoefficients& coeffic
             step();
     }
     if (rest.steps == 0) step();  // the forces of a braid that never moved are not known
-    rest.tolerance = scale * options.residual_tolerance * radial_stiffness(coefficients.radial) *
-                     crimped.lattice.nominal_radius;
+    rest.tolerance = scale * rest_tolerance(crimped, coefficients, options);
     const int last_step = rest.steps + options.max_settling_steps;
     const auto is_at_rest = [&] { return scale * braid.largest_residual() <= rest.tolerance; };
     while (rest.steps < last_step) {
@@ -230,7 +265,9 @@ Deployment deploy(const FlowDiverter& device, const Centerline& centerline, cons
         support.stiffness = wall_stiffnesses(crimped, support.stops,
                                              options.wall_stiffness / coefficients.force_scale);
     }
-    const RestingBraid rest = open(crimped, coefficients, support, options);
+    const RestingBraid rest = options.motion == Motion::none
+                                  ? solve_for_rest(crimped, coefficients, support, options)
+                                  : open(crimped, coefficients, support, options);
 
     Deployment result = as_it_is(crimped, rest, wall, device.wire_diameter);
     if (options.lattice == LatticeKind::paper_2020) {

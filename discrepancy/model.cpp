@@ -9,10 +9,25 @@
 namespace braidzone {
 namespace {
 
-Deployment deploy_in(const Model& model, const Lumen& lumen)
+Deployment deploy_in(const Model& model, const Lumen& lumen, const DeployOptions& options)
 {
     return deploy(model.device, lumen.centerline, lumen.wall, model.landing_distal, model.schedule,
-                  model.options);
+                  options);
+}
+
+/// Straight to the shape at rest where that can be solved for, by the case's own motion elsewhere.
+Deployment deploy_in(const Model& model, const Lumen& lumen)
+{
+    DeployOptions options = model.options;
+    options.num_frames = 0;
+    if (options.ring_hub == RingHub::fixed && !options.hoop_migration &&
+        options.axial == AxialMotion::locked) {
+        options.motion = Motion::none;
+        Deployment deployment = deploy_in(model, lumen, options);
+        if (deployment.converged) return deployment;
+    }
+    options.motion = model.options.motion;
+    return deploy_in(model, lumen, options);
 }
 
 }  // namespace
