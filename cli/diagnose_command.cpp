@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/diagnosed_case.hpp"
+#include "cli/diagnosis_page.hpp"
 #include "cli/diagnosis_report.hpp"
 #include "cli/discrepancy_picture.hpp"
 #include "cli/discrepancy_vtp.hpp"
@@ -141,6 +142,8 @@ void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
     nlohmann::ordered_json json = {{"program", program_name}};
     json.update(diagnosis_as_json(diagnosis, diagnose_options.floor));
     json["inputs"] = inputs_as_json(job, command);
+    write_text_file(folder.path() / "report.html",
+                    diagnosis_page(json, folder.path() / "discrepancy.png"));
     json["files"] = files_in(folder.path());
     for (const StageTime& time : progress.times())
         json["times_s"][time.stage] = time.seconds;
