@@ -3,10 +3,29 @@
 #include "support/devices_of_any_size.hpp"
 #include "support/hidden/smooth_field.hpp"
 
+#include <array>
 #include <numbers>
 #include <utility>
 
 namespace braidzone::hidden {
+
+namespace {
+
+/// The motion that undoes that of the scan, as the catalogue's `registration` has it.
+void set_registration(HiddenCase& made)
+{
+    for (HiddenEffect& effect : made.effects) {
+        if (effect.name != "registration") continue;
+        constexpr std::array axes = {"x", "y", "z"};
+        for (int i = 0; i < 3; ++i) {
+            const std::string axis = axes[static_cast<std::size_t>(i)];
+            effect.values["shift_" + axis] = -made.scan.shift[i];
+            effect.values["rotation_" + axis] = -made.scan.rotation[i];
+        }
+    }
+}
+
+}  // namespace
 
 Belief random_belief(std::mt19937& random)
 {
@@ -56,6 +75,7 @@ HiddenCase made_case(HiddenStory story, const Background& background, const Scan
                     .effects = story.effects,
                     .device = placed_device(scene)};
     made.scan = scanned(made.device, story.scan, errors, random);
+    set_registration(made);
     return made;
 }
 

@@ -3,6 +3,7 @@
 #include "support/hidden/hidden_scan.hpp"
 #include "support/hidden/hidden_scene.hpp"
 
+#include <array>
 #include <functional>
 #include <map>
 #include <random>

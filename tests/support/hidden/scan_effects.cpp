@@ -12,7 +12,7 @@ Vec3 random_direction(std::mt19937& random)
     return Vec3(x, y, z).normalized();
 }
 
-/// Its truth is not among the values: the motion of a scan holds its nuisance too.
+/// The whole motion of the scan, its nuisance besides, is known when it is scanned.
 std::map<std::string, double> hide_registration(HiddenStory& story, EffectSize size,
                                                 std::mt19937& random)
 {
