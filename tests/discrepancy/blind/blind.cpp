@@ -8,11 +8,9 @@
 
 #include "core/error.hpp"
 #include "core/file_hash.hpp"
-#include "core/phantom_file.hpp"
 #include "discrepancy/blind/plan.hpp"
 #include "discrepancy/blind/score.hpp"
 #include "discrepancy/noise_calibration.hpp"
-#include "support/devices_of_any_size.hpp"
 #include "support/hidden/spacing_stretch.hpp"
 
 #include <CLI/CLI.hpp>
@@ -23,7 +21,6 @@
 
 #include <atomic>
 #include <fstream>
-#include <numbers>
 #include <thread>
 
 namespace braidzone::blind {
@@ -173,13 +170,7 @@ void score(const Arguments& arguments)
 /// The paper's story: 66 % off the ring spacing in front of the neck.
 void write_hidden_push(const fs::path& folder)
 {
-    hidden::Belief belief;
-    belief.phantom = read_phantom(TomlTable::read_file(fs::path(BRAIDZONE_SOURCE_DIR) /
-                                                       "cases/sidewall_aneurysm/phantom.toml"));
-    belief.device = test::pipeline(4e-3);
-    belief.device.force_scale = 61.0;  // of the library
-    belief.landing = 25e-3;
-    hidden::HiddenStory story = hidden::story_of(belief);
+    hidden::HiddenStory story = hidden::story_of(hidden::sidewall_belief(BRAIDZONE_SOURCE_DIR));
     hidden::add_stretch(
         story.scene,
         {.centre = 15e-3, .half_width = 1.8e-3, .change = -0.66, .ripple = 0.05, .rebound = 0.1});

@@ -1,5 +1,6 @@
 #include "support/hidden/hidden_case.hpp"
 
+#include "core/phantom_file.hpp"
 #include "support/devices_of_any_size.hpp"
 #include "support/hidden/smooth_field.hpp"
 
@@ -10,6 +11,14 @@
 namespace braidzone::hidden {
 
 namespace {
+
+/// A Pipeline of 4 x 20 mm with the library's scale of forces.
+FlowDiverter library_device()
+{
+    FlowDiverter device = test::pipeline(4e-3);
+    device.force_scale = 61.0;
+    return device;
+}
 
 /// The motion that undoes that of the scan, as the catalogue's `registration` has it.
 void set_registration(HiddenCase& made)
@@ -42,10 +51,15 @@ Belief random_belief(std::mt19937& random)
                             .diameter = 7e-3,
                             .height = 7e-3,
                             .neck = between(4e-3, 5e-3, random)}};
-    belief.device = test::pipeline(4e-3);
-    belief.device.force_scale = 61.0;  // of the library
+    belief.device = library_device();
     belief.landing = between(24.5e-3, 25.5e-3, random);
     return belief;
+}
+
+Belief sidewall_belief(const std::filesystem::path& source)
+{
+    return {read_phantom(TomlTable::read_file(source / "cases/sidewall_aneurysm/phantom.toml")),
+            library_device(), 25e-3};
 }
 
 HiddenStory story_of(const Belief& belief)

@@ -3,6 +3,7 @@
 #include "support/hidden/hidden_effect.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -33,6 +34,10 @@ struct HiddenCase {
 
 /// A sidewall aneurysm of a random vessel, with a 4 mm device in front of its neck.
 Belief random_belief(std::mt19937& random);
+
+/// The shipped case `cases/sidewall_aneurysm`: a 4 x 20 mm device that lands at 25 mm.
+/// @param source  the project's folder
+Belief sidewall_belief(const std::filesystem::path& source);
 
 /// Where the story begins: what happened is what the user believes.
 HiddenStory story_of(const Belief& belief);

@@ -69,7 +69,7 @@ std::vector<Sample> samples_of(const HiddenDevice& device, int count, double une
     const std::vector<Vec3>& p = device.points;
     for (const Cell& cell : cells) {
         // Rows run upstream and columns around the axis' tangent: this points outwards.
-        areas.push_back(0.5 * (p[cell.c] - p[cell.b]).cross(p[cell.d] - p[cell.a]));
+        areas.push_back(0.5 * (p[cell.d] - p[cell.a]).cross(p[cell.c] - p[cell.b]));
         const double side = areas.back().normalized().dot(bright);
         weights.push_back(areas.back().norm() * std::max(0.1, 1.0 + unevenness * side));
     }

@@ -16,7 +16,7 @@ namespace braidzone::hidden {
 struct WallSprings {
     double stiffness = 1e10;  ///< k [Pa/m]
     double stiffening = 0.0;  ///< k3 [Pa/m^3]
-    double rounding = 2e-6;   ///< d [m]
+    double rounding = 0.5e-6;  ///< d [m]
 };
 
 /// Energy of an area [J/m^2] with its first two derivatives by the depth [Pa], [Pa/m].
