@@ -1,12 +1,10 @@
-// A sidewall aneurysm with something hidden in its measurement, from the generator that shares
-// neither lattice nor mesh nor schedule with the solver under test
-// (support/hidden_measurement.hpp).
+// A sidewall aneurysm with something hidden in its measurement, from a generator with mechanics of
+// its own (support/hidden).
 
 #include "core/error.hpp"
-#include "core/phantom_file.hpp"
+#include "discrepancy/blind/case_folder.hpp"
 #include "discrepancy/diagnosis.hpp"
-#include "support/devices_of_any_size.hpp"
-#include "support/hidden_measurement.hpp"
+#include "support/hidden/spacing_stretch.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -19,29 +17,14 @@ namespace {
 
 using testing::ElementsAre;
 
-Phantom sidewall_phantom()
+hidden::Belief belief()
 {
-    return read_phantom(TomlTable::read_file(std::filesystem::path(BRAIDZONE_SOURCE_DIR) /
-                                             "cases/sidewall_aneurysm/phantom.toml"));
-}
-
-constexpr double landing = 25e-3;
-
-FlowDiverter device()
-{
-    FlowDiverter device = test::pipeline(4e-3);
-    device.force_scale = 61.0;
-    return device;
+    return hidden::sidewall_belief(BRAIDZONE_SOURCE_DIR);
 }
 
 const Lumen& sidewall()
 {
-    static const Lumen lumen = [] {
-        PhantomVessel made = make_phantom(sidewall_phantom());
-        Vessel vessel = make_vessel(made.wall, LengthUnit{});
-        WallTree wall(vessel);
-        return Lumen{std::move(vessel), std::move(wall), resample(made.centerline)};
-    }();
+    static const Lumen lumen = blind::believed_lumen(belief().phantom);
     return lumen;
 }
 
@@ -55,27 +38,34 @@ std::vector<Effect> catalogue_of(const std::vector<std::string>& names)
     return chosen;
 }
 
-Model base_model()
+hidden::ScannedDevice scan_of(hidden::HiddenStory story, std::uint32_t seed)
 {
-    Model model;
-    model.device = device();
-    model.landing_distal = landing;
-    return model;
+    std::mt19937 random(seed);
+    return hidden::made_case(std::move(story), {}, {}, random).scan;
 }
 
-Diagnosis diagnosed(const test::Hidden& hidden, std::uint32_t seed,
+/// A push in front of the neck.
+hidden::HiddenStory push_story(double change)
+{
+    hidden::HiddenStory story = hidden::story_of(belief());
+    hidden::add_stretch(
+        story.scene,
+        {.centre = 15e-3, .half_width = 1.8e-3, .change = change, .ripple = 0.05, .rebound = 0.1});
+    return story;
+}
+
+Diagnosis diagnosed(const hidden::HiddenStory& story, std::uint32_t seed,
                     const std::vector<Effect>& catalogue)
 {
-    const test::HiddenMeasurement measured =
-        test::hidden_measurement(sidewall_phantom(), device(), landing, hidden, seed);
-    return diagnose(base_model(), sidewall(), measured.points, measured.ends, catalogue);
+    const hidden::ScannedDevice scan = scan_of(story, seed);
+    return diagnose(blind::believed_model(belief()), sidewall(), scan.points, scan.ends, catalogue);
 }
 
 }  // namespace
 
 TEST(Diagnose, NamesAndPlacesAHiddenPush)
 {
-    const Diagnosis found = diagnosed({.spacing = test::smooth_spacing(15e-3, 1.8e-3, -0.6)}, 4,
+    const Diagnosis found = diagnosed(push_story(-0.6), 4,
                                       catalogue_of({"local_push", "nominal_diameter", "blooming",
                                                     "vessel_offset", "landing_offset"}));
     EXPECT_EQ(found.explanation.verdict.finding, Finding::named);
@@ -94,7 +84,8 @@ TEST(Diagnose, NamesAndPlacesAHiddenPush)
 TEST(Diagnose, FindsNothingWhereNothingIsHidden)
 {
     const Diagnosis found =
-        diagnosed({}, 2, catalogue_of({"nominal_diameter", "blooming", "vessel_offset"}));
+        diagnosed(hidden::story_of(belief()), 2,
+                  catalogue_of({"nominal_diameter", "blooming", "vessel_offset"}));
     EXPECT_EQ(found.explanation.verdict.finding, Finding::nothing_missing);
     EXPECT_FALSE(found.after.has_value());
 }
@@ -104,12 +95,12 @@ TEST(Diagnose, DoesNotNameWhatItDoesNotKnow)
 {
     const CrossSection at = section_at(sidewall().centerline, 20e-3);
     const Vec3 place = at.origin + 1.9e-3 * at.normal;
+    hidden::HiddenStory story = hidden::story_of(belief());
+    story.scene.unevenness = [=](const Vec3& p) {
+        return -0.4e-3 * std::exp(-0.5 * (p - place).squaredNorm() / 1.2e-6);
+    };
     const Diagnosis found = diagnosed(
-        {.dent =
-             [=](const Vec3& p) {
-                 return -0.3e-3 * std::exp(-0.5 * (p - place).squaredNorm() / 1.2e-6);
-             }},
-        3, catalogue_of({"nominal_diameter", "blooming", "vessel_offset", "registration"}));
+        story, 3, catalogue_of({"nominal_diameter", "blooming", "vessel_offset", "registration"}));
     EXPECT_TRUE(found.explanation.verdict.finding == Finding::unknown ||
                 found.explanation.verdict.has_unexplained_rest);
     ASSERT_FALSE(found.map.clusters.empty());
@@ -123,8 +114,8 @@ TEST(Diagnose, DoesNotNameWhatItDoesNotKnow)
 // The catalogue without the effect that is there: another name must not take its place unflagged.
 TEST(Diagnose, SaysUnknownWithoutTheEffectInTheCatalogue)
 {
-    const Diagnosis found = diagnosed({.spacing = test::smooth_spacing(15e-3, 1.8e-3, -0.66)}, 1,
-                                      catalogue_of({"blooming", "braid_ratio"}));
+    const Diagnosis found =
+        diagnosed(push_story(-0.66), 1, catalogue_of({"blooming", "braid_ratio"}));
     EXPECT_NE(found.explanation.verdict.finding, Finding::nothing_missing);
     EXPECT_TRUE(found.explanation.verdict.finding == Finding::unknown ||
                 found.explanation.verdict.has_unexplained_rest);
@@ -136,7 +127,7 @@ TEST(Diagnose, ReportsAnEffectThatCannotBeSimulated)
     broken.apply = [](const EffectSetting&, const std::vector<double>&) -> Model {
         throw GeometryError("the device breaks");
     };
-    const Diagnosis found = diagnosed({}, 2, {broken});
+    const Diagnosis found = diagnosed(hidden::story_of(belief()), 2, {broken});
     EXPECT_EQ(found.explanation.fits.front().failure, "the device breaks");
     EXPECT_TRUE(found.explanation.named.empty());
     EXPECT_EQ(found.explanation.verdict.finding, Finding::nothing_missing);
@@ -144,13 +135,12 @@ TEST(Diagnose, ReportsAnEffectThatCannotBeSimulated)
 
 TEST(Diagnose, RefusesTooFewPatches)
 {
-    const test::HiddenMeasurement measured =
-        test::hidden_measurement(sidewall_phantom(), device(), landing, {}, 2);
+    const hidden::ScannedDevice scan = scan_of(hidden::story_of(belief()), 2);
     std::vector<Vec3> few;
-    for (std::size_t i = 0; i < measured.points.size(); i += 40)
-        few.push_back(measured.points[i]);
+    for (std::size_t i = 0; i < scan.points.size(); i += 40)
+        few.push_back(scan.points[i]);
     try {
-        diagnose(base_model(), sidewall(), few, {}, {});
+        diagnose(blind::believed_model(belief()), sidewall(), few, {}, {});
         FAIL();
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("patches of the device, 0.8 mm by 30 degrees "

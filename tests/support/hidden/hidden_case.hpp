@@ -1,0 +1,52 @@
+#pragma once
+
+#include "support/hidden/hidden_effect.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace braidzone::hidden {
+
+/// Imperfections of every vessel and device, whether an effect is hidden or not.
+struct Background {
+    double wall_sd = 0.02e-3;            ///< of the true wall about the given one [m]
+    double correlation_length = 2.2e-3;  ///< of it [m]
+    double landing_sd = 0.15e-3;         ///< [m]
+    double spring_sd = 0.08;             ///< relative
+    double braid_ratio_sd = 0.01;        ///< relative
+};
+
+/// An effect to hide.
+struct EffectChoice {
+    std::string name;
+    EffectSize size = EffectSize::medium;
+};
+
+/// A case with its data and its truth.
+struct HiddenCase {
+    Belief belief;
+    ScannedDevice scan;
+    std::vector<HiddenEffect> effects;
+    HiddenDevice device;
+};
+
+/// A sidewall aneurysm of a random vessel, with a 4 mm device in front of its neck.
+Belief random_belief(std::mt19937& random);
+
+/// The shipped case `cases/sidewall_aneurysm`: a 4 x 20 mm device that lands at 25 mm.
+/// @param source  the project's folder
+Belief sidewall_belief(const std::filesystem::path& source);
+
+/// Where the story begins: what happened is what the user believes.
+HiddenStory story_of(const Belief& belief);
+
+/// Lets the story happen with its imperfections, and scans it.
+HiddenCase made_case(HiddenStory story, const Background& background, const ScanErrors& errors,
+                     std::mt19937& random);
+
+/// A case of a random vessel with effects hidden in it; none for a case without.
+HiddenCase random_case(std::span<const EffectChoice> effects, std::uint32_t seed);
+
+}  // namespace braidzone::hidden
