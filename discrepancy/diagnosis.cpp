@@ -101,7 +101,7 @@ void compare(Diagnosis& diagnosis, const DiagnosisProblem& problem, const Diagno
     diagnosis.in_zone = compared(diagnosis.zone);
     const std::vector<std::vector<int>> folds = surface_folds(field);
     diagnosis.held_out = held_out_gap(problem, diagnosis.explanation, folds, held_out_buffer,
-                                      options.explain, options.oracle);
+                                      options.explain);
     diagnosis.gap_held_out = {static_cast<int>(all.size()),
                               gap_figures(diagnosis.held_out.before, smoothing, all),
                               gap_figures(diagnosis.held_out.after, smoothing, all),

@@ -17,9 +17,6 @@ struct DiagnoseOptions {
     PatchOptions patches;
     ClusterOptions clusters;
     ExplainOptions explain;
-    /// Index of the effect in the catalogue that is known to be missing, where it is: the gap that
-    /// it leaves is compared with that of the answer.
-    std::optional<std::size_t> oracle = {};
 };
 
 /// Shares of a cluster's area in parts of the device.

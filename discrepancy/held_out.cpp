@@ -76,12 +76,13 @@ bool HeldOutGap::confirms() const
 
 HeldOutGap held_out_gap(const DiagnosisProblem& problem, const Explanation& explanation,
                         const std::vector<std::vector<int>>& folds, double buffer,
-                        const ExplainOptions& options, std::optional<std::size_t> oracle)
+                        const ExplainOptions& options)
 {
     const Eigen::VectorXd& base = explanation.base_residuals;
     HeldOutGap gap{.before = Eigen::VectorXd::Zero(problem.distances.rows())};
     gap.after = gap.before;
-    if (oracle) gap.oracle = gap.before;
+    for (const EffectFit& fit : explanation.fits)
+        gap.of_fits.push_back(fit.failure.empty() ? gap.before : Eigen::VectorXd());
     const std::string chosen_by_all =
         explanation.best ? name_of(explanation.fits[*explanation.best]) : "none";
     for (const std::vector<int>& block : folds) {
@@ -90,9 +91,11 @@ HeldOutGap held_out_gap(const DiagnosisProblem& problem, const Explanation& expl
         double best = none + options.verdict.effect_bar;
         Eigen::VectorXd after = base;
         gap.choices.emplace_back("none");
-        for (const EffectFit& fit : explanation.fits) {
+        for (std::size_t i = 0; i < explanation.fits.size(); ++i) {
+            const EffectFit& fit = explanation.fits[i];
             if (!fit.failure.empty()) continue;
             const Refitted here = refitted(fit, fold);
+            gap.of_fits[i](block) = gap_in(fold, here.residuals);
             if (here.log_evidence <= best) continue;
             best = here.log_evidence;
             after = here.residuals;
@@ -102,8 +105,6 @@ HeldOutGap held_out_gap(const DiagnosisProblem& problem, const Explanation& expl
         gap.log_score_gain += log_score(fold, after) - log_score(fold, base);
         gap.before(block) = gap_in(fold, base);
         gap.after(block) = gap_in(fold, after);
-        if (oracle)
-            gap.oracle(block) = gap_in(fold, refitted(explanation.fits[*oracle], fold).residuals);
     }
     return gap;
 }

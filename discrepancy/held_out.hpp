@@ -2,7 +2,6 @@
 
 #include "discrepancy/explanation.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +12,9 @@ struct HeldOutGap {
     /// Residuals of the field, each predicted from the other folds: with no effect, with what was
     /// chosen there.
     Eigen::VectorXd before = {}, after = {};
-    /// With a given answer, fitted in each fold; empty if none was given.
-    Eigen::VectorXd oracle = {};
+    /// With each of the explanation's fits in all folds; empty for one that failed. That of the
+    /// effect that is known to be missing, where the truth is known, is what can be reached.
+    std::vector<Eigen::VectorXd> of_fits = {};
     std::vector<std::string> choices = {};  ///< of each fold, "none" or `name_of` its fit
     int num_same = 0;                       ///< folds that chose what all the data choose
     /// Log predictive density of the held-out residuals with the choices, less that without an
@@ -38,10 +38,9 @@ struct HeldOutGap {
 ///
 /// @param folds   indices of the field's residuals, each in one fold
 /// @param buffer  in the unit of `distances`
-/// @param oracle  fit to compare with, where the truth is known
 HeldOutGap held_out_gap(const DiagnosisProblem& problem, const Explanation& explanation,
                         const std::vector<std::vector<int>>& folds, double buffer,
-                        const ExplainOptions& options = {}, std::optional<std::size_t> oracle = {});
+                        const ExplainOptions& options = {});
 
 /// Rows that make the held-out gap of the field out of all residuals, as above.
 Eigen::MatrixXd held_out_rows(const DiagnosisProblem& problem,

@@ -5,48 +5,51 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <fstream>
-#include <numeric>
 
 namespace braidzone::blind {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-FittedEffect fitted(const EffectFit& fit, const Diagnosis& diagnosis,
-                    const Eigen::MatrixXd& smoothing, const std::vector<int>& patches)
+double rms(const Eigen::VectorXd& gap)
 {
-    FittedEffect result{.log_evidence = fit.log_evidence};
-    for (std::size_t i = 0; i < fit.values.size(); ++i) {
-        result.values[fit.parameters[i].name] = fit.values[i];
-        result.sd[fit.parameters[i].name] = fit.sd[i];
+    return std::sqrt(gap.squaredNorm() / static_cast<double>(gap.size()));
+}
+
+FittedEffect fitted(const EffectFit& fit, const Eigen::VectorXd& held_out)
+{
+    const braidzone::FittedEffect& effect = fit.effects.front();
+    FittedEffect result{.log_evidence = fit.log_evidence, .rms_after = rms(held_out)};
+    for (std::size_t i = 0; i < effect.values.size(); ++i) {
+        result.values[effect.parameters[i].name] = effect.values[i];
+        result.sd[effect.parameters[i].name] = effect.sd[i];
     }
-    result.rms_after =
-        gap_figures(registered_gap(diagnosis.error, fit.residuals), smoothing, patches).rms;
     return result;
 }
 
 }  // namespace
 
-Answer answer_of(const Diagnosis& diagnosis, const DiagnoseOptions& options)
+Answer answer_of(const Diagnosis& diagnosis)
 {
-    Answer answer{.finding = name_of(diagnosis.verdict.finding)};
-    for (const std::string& effect : diagnosis.verdict.effects)
-        answer.sets.push_back({effect});
-    answer.has_unexplained_rest = diagnosis.verdict.has_unexplained_rest;
-    std::vector<int> patches(diagnosis.observations.field.patches.size());
-    std::iota(patches.begin(), patches.end(), 0);
-    const Eigen::MatrixXd smoothing =
-        smoothing_matrix(diagnosis.observations.field, options.clusters.kernel);
-    for (const EffectFit& fit : diagnosis.fits) {
+    const Explanation& explanation = diagnosis.explanation;
+    Answer answer{.finding = name_of(explanation.verdict.finding)};
+    for (const braidzone::Answer& one : explanation.verdict.answers)
+        answer.sets.push_back(one.effects);
+    answer.has_unexplained_rest = explanation.verdict.has_unexplained_rest;
+    answer.is_confirmed = diagnosis.held_out.confirms();
+    answer.log_evidence_unknown = explanation.log_evidence_unknown;
+    for (std::size_t i = 0; i < explanation.num_singles; ++i) {
+        const EffectFit& fit = explanation.fits[i];
         if (fit.failure.empty())
-            answer.fits[fit.effect] = fitted(fit, diagnosis, smoothing, patches);
+            answer.fits[name_of(fit)] = fitted(fit, diagnosis.held_out.of_fits[i]);
     }
-    answer.rms_before = diagnosis.everywhere.before.rms;
-    answer.rms_after = diagnosis.everywhere.after.rms;
-    answer.rms_floor = diagnosis.everywhere.floor.rms;
+    answer.rms_before = diagnosis.gap_held_out.before.rms;
+    answer.rms_after = diagnosis.gap_held_out.after.rms;
+    answer.rms_floor = diagnosis.gap_held_out.floor.rms;
     answer.background = diagnosis.background;
-    answer.num_runs = diagnosis.num_runs;
+    answer.num_runs = explanation.num_runs;
     return answer;
 }
 
@@ -55,8 +58,7 @@ Answer answer_to(const CaseData& data, const std::vector<Effect>& catalogue,
 {
     try {
         return answer_of(
-            diagnose(data.model, data.lumen, data.points, data.scalars, catalogue, options),
-            options);
+            diagnose(data.model, data.lumen, data.points, data.scalars, catalogue, options));
     } catch (const Error& error) {
         return {.finding = "error", .error = error.what()};
     }
@@ -67,6 +69,8 @@ std::string answer_text(const Answer& answer)
     Json json = {{"finding", answer.finding},
                  {"sets", answer.sets},
                  {"has_unexplained_rest", answer.has_unexplained_rest},
+                 {"is_confirmed", answer.is_confirmed},
+                 {"log_evidence_unknown", answer.log_evidence_unknown},
                  {"rms_before", answer.rms_before},
                  {"rms_after", answer.rms_after},
                  {"rms_floor", answer.rms_floor},
@@ -91,6 +95,8 @@ Answer read_answer(const std::filesystem::path& file)
     Answer answer{.finding = json.at("finding"),
                   .sets = json.at("sets"),
                   .has_unexplained_rest = json.at("has_unexplained_rest"),
+                  .is_confirmed = json.at("is_confirmed"),
+                  .log_evidence_unknown = json.at("log_evidence_unknown"),
                   .fits = {},
                   .rms_before = json.at("rms_before"),
                   .rms_after = json.at("rms_after"),

@@ -14,7 +14,7 @@ namespace braidzone::blind {
 struct FittedEffect {
     double log_evidence = 0.0;
     std::map<std::string, double> values = {}, sd = {};  ///< of its parameters [SI]
-    double rms_after = 0.0;                              ///< gap that it would leave [m]
+    double rms_after = 0.0;                              ///< held-out gap with it in all folds [m]
 };
 
 /// What a diagnosis said of a case.
@@ -23,15 +23,17 @@ struct Answer {
     /// Alternatives, best first; each a set of effects.
     std::vector<std::vector<std::string>> sets = {};
     bool has_unexplained_rest = false;
+    bool is_confirmed = false;  ///< by blocks that it was not chosen on
+    double log_evidence_unknown = 0.0;
     std::map<std::string, FittedEffect> fits = {};
-    double rms_before = 0.0, rms_after = 0.0, rms_floor = 0.0;  ///< everywhere [m]
+    double rms_before = 0.0, rms_after = 0.0, rms_floor = 0.0;  ///< held out [m]
     double background = 1.0;
     int num_runs = 0;
     std::string error = {};  ///< message, if the diagnosis failed
 };
 
 /// Takes out of a diagnosis what is scored. The one place that knows how a verdict is made up.
-Answer answer_of(const Diagnosis& diagnosis, const DiagnoseOptions& options);
+Answer answer_of(const Diagnosis& diagnosis);
 
 /// Diagnoses a case; an error becomes an answer.
 Answer answer_to(const CaseData& data, const std::vector<Effect>& catalogue,
