@@ -183,8 +183,10 @@ std::optional<EffectFit> fit_at(EffectResiduals& residuals, const DiagnosisProbl
     for (Eigen::Index i = 0; i < n; ++i)
         sd.push_back(std::sqrt(covariance(i, i)) * residuals.parameters()[index(i)].prior_sd);
     fit.effects = fitted_effects(residuals, problem, residuals.values(x), sd);
-    fit.log_evidence =
-        log_bayes_factor(data.whitening(data.base), z, slope, x, uniform_parameters(fit));
+    std::vector<bool> is_uniform;
+    for (const EffectParameter& parameter : residuals.parameters())
+        is_uniform.push_back(parameter.is_uniform);
+    fit.log_evidence = log_bayes_factor(data.whitening(data.base), z, slope, x, is_uniform);
     return fit;
 }
 
@@ -244,14 +246,12 @@ std::vector<ActiveEffect> active_effects(const EffectFit& fit)
     return effects;
 }
 
-std::vector<bool> uniform_parameters(const EffectFit& fit)
+std::vector<EffectParameter> parameters_of(const EffectFit& fit)
 {
-    std::vector<bool> is_uniform;
-    for (const FittedEffect& effect : fit.effects) {
-        for (const EffectParameter& parameter : effect.parameters)
-            is_uniform.push_back(parameter.is_uniform);
-    }
-    return is_uniform;
+    std::vector<EffectParameter> all;
+    for (const FittedEffect& effect : fit.effects)
+        all.insert(all.end(), effect.parameters.begin(), effect.parameters.end());
+    return all;
 }
 
 EffectFit fit_effect(const DiagnosisProblem& problem, const Whitening& whitening,

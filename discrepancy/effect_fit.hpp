@@ -47,8 +47,8 @@ std::string name_of(const EffectFit& fit);
 /// The effects with the values of the fit.
 std::vector<ActiveEffect> active_effects(const EffectFit& fit);
 
-/// True of each parameter with a uniform prior, in the order of `EffectFit::x`.
-std::vector<bool> uniform_parameters(const EffectFit& fit);
+/// The parameters of all effects, in the order of `EffectFit::x`.
+std::vector<EffectParameter> parameters_of(const EffectFit& fit);
 
 struct FitOptions {
     int num_starts = 3;  ///< fitted out of the starts, those that leave the smallest misfit

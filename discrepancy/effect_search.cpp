@@ -60,7 +60,7 @@ Addition best_addition(const EffectFit& set, const EffectFit& single, const Eige
     // Where fits begin at no effect, its derivatives there are the fingerprint.
     const LinearRefit linear =
         linear_refit(z, whitening.of_columns(single.derivatives),
-                     Eigen::VectorXd::Zero(single.x.size()), uniform_parameters(single));
+                     Eigen::VectorXd::Zero(single.x.size()), parameters_of(single));
     best.promise = std::max(best.promise, 0.5 * (z.squaredNorm() - linear.whitened.squaredNorm() -
                                                  linear.x.squaredNorm()));
     best.start.push_back({single.effects.front().candidate, values});
@@ -97,7 +97,7 @@ double gain_over(const DiagnosisProblem& problem, const EffectFit& set, const Ef
         with_implementation_error(problem, base - set.residuals, options.implementation_error));
     const auto evidence = [&](const EffectFit& fit) {
         return linear_refit(whitening(fit.residuals), whitening.of_columns(fit.derivatives), fit.x,
-                            uniform_parameters(fit))
+                            parameters_of(fit))
             .log_evidence;
     };
     return evidence(larger) - evidence(set);

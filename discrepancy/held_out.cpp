@@ -52,7 +52,7 @@ Refitted refitted(const EffectFit& fit, const Fold& fold)
     const Eigen::VectorXd known = fit.residuals(fold.rest);
     const Eigen::MatrixXd slope = fit.derivatives(fold.rest, Eigen::all);
     const LinearRefit refit = linear_refit(fold.whitening(known), fold.whitening.of_columns(slope),
-                                           fit.x, uniform_parameters(fit));
+                                           fit.x, parameters_of(fit));
     return {fit.residuals + fit.derivatives * (refit.x - fit.x), refit.log_evidence};
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "discrepancy/effect_parameter.hpp"
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -15,10 +17,11 @@ struct LinearRefit {
     double log_evidence = 0.0;
 };
 
-/// Minimises |z + S (y - x)|^2 + the sum of y^2 over parameters with a normal prior.
+/// Minimises |z + S (y - x)|^2 + the sum of y^2 over parameters with a normal prior, within the
+/// parameters' bounds: one that would leave them is held there, the others are solved for again.
 /// @param whitened     z at x
 /// @param derivatives  S of the whitened residuals by the parameters
 LinearRefit linear_refit(const Eigen::VectorXd& whitened, const Eigen::MatrixXd& derivatives,
-                         const Eigen::VectorXd& x, const std::vector<bool>& is_uniform);
+                         const Eigen::VectorXd& x, const std::vector<EffectParameter>& parameters);
 
 }  // namespace braidzone

@@ -1,0 +1,60 @@
+#include "discrepancy/error_model.hpp"
+#include "discrepancy/planned_measurement.hpp"
+#include "support/devices.hpp"
+#include "support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace braidzone {
+namespace {
+
+/// A device in a straight tube.
+const Simulation& simulation()
+{
+    static const Simulation result = [] {
+        Vessel vessel = test::tube_vessel(1.85e-3, 16e-3);
+        WallTree wall(vessel);
+        const Lumen lumen{std::move(vessel), std::move(wall),
+                          test::tube_centerline(1.85e-3, 16e-3)};
+        Model model;
+        model.device = test::pipeline_4x20();
+        model.device.nominal_length = 8e-3;
+        model.landing_distal = 13e-3;
+        return simulate(model, lumen);
+    }();
+    return result;
+}
+
+}  // namespace
+
+// Points on the device's surface, seen as the case says it is seen, leave no residual.
+TEST(PlannedObservations, AgreeWithTheCase)
+{
+    Imaging imaging;
+    for (const double size : {0.0, 1.0}) {
+        imaging.blooming = size * 0.1e-3;
+        imaging.shift = size * Vec3(0.2e-3, -0.1e-3, 0.3e-3);
+        imaging.rotation = size * Vec3(0.02, 0.01, -0.03);
+        imaging.pivot = size * Vec3(1e-3, 2e-3, 8e-3);
+        const Observations planned = planned_observations(simulation(), imaging);
+        EXPECT_GT(planned.field.patches.size(), 80u);
+        const Eigen::VectorXd left = residuals(planned, simulation(), imaging);
+        // Normals of triangles and of the surface between crossings differ by a few degrees.
+        EXPECT_LT(left.cwiseAbs().maxCoeff(), 1e-6);
+    }
+}
+
+// Variance of a patch's median: pi / 2 sd^2 / n, with ends known to 0.3 mm.
+TEST(PlannedObservations, HaveThePlannedNoise)
+{
+    const Observations planned = planned_observations(
+        simulation(), {}, {.point_sd = 0.05e-3, .points_per_patch = 10, .end_sd = 0.2e-3});
+    const ErrorModel error = make_error_model(planned, {});
+    const Eigen::Index middle = error.num_patches / 2;
+    EXPECT_EQ(planned.field.patches[static_cast<std::size_t>(middle)].points.size(), 10u);
+    EXPECT_NEAR(error.white[middle], 1.57 * 0.05e-3 * 0.05e-3 / 10.0, 1e-13);
+    EXPECT_DOUBLE_EQ(error.white[error.num_patches], 0.2e-3 * 0.2e-3);
+    EXPECT_EQ(num_residuals(planned), error.num_patches + 2);
+}
+
+}  // namespace braidzone
