@@ -58,6 +58,22 @@ std::uint32_t seed_of(std::uint32_t first, std::size_t number)
     return one.front();
 }
 
+/// A case of the plan. Two strong effects may leave a device nowhere to lie; then another vessel is
+/// tried, and said so.
+hidden::HiddenCase made_case(const PlannedCase& planned, const std::string& name,
+                             std::uint32_t seed)
+{
+    constexpr std::size_t most_trials = 5;
+    for (std::size_t trial = 1;; ++trial) {
+        try {
+            return hidden::random_case(planned.effects, trial == 1 ? seed : seed_of(seed, trial));
+        } catch (const std::runtime_error& error) {
+            if (trial == most_trials) throw;
+            fmt::print(stderr, "{}: {}; with another vessel\n", name, error.what());
+        }
+    }
+}
+
 void make(const Arguments& arguments)
 {
     const std::vector<PlannedCase> plan = make_plan(arguments.sizes, arguments.seed);
@@ -67,7 +83,7 @@ void make(const Arguments& arguments)
     tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t i) {
         const std::string name = fmt::format("{:04}", i + 1);
         const std::uint32_t seed = seed_of(arguments.seed, i);
-        const hidden::HiddenCase made = hidden::random_case(plan[i].effects, seed);
+        const hidden::HiddenCase made = made_case(plan[i], name, seed);
         write_case(made, arguments.data / name);
         std::mt19937_64 salt(seed);
         const std::string truth = truth_text({plan[i].kind, made.effects}, salt());

@@ -32,6 +32,12 @@ Vec3 random_vector(double sd, std::mt19937& random)
     return {x, y, z};
 }
 
+/// A nuisance of 2.5 standard deviations at most in each: beyond that it would be an effect.
+Vec3 ordinary_vector(double sd, std::mt19937& random)
+{
+    return random_vector(sd, random).cwiseMax(-2.5 * sd).cwiseMin(2.5 * sd);
+}
+
 Vec3 random_direction(std::mt19937& random)
 {
     return random_vector(1.0, random).normalized();
@@ -196,8 +202,8 @@ ScannedDevice scanned(const HiddenDevice& device, const HiddenScan& hidden,
             offsets[i] + segmented_offset(blur, errors.blur, hidden.blooming, samples[i].radius);
         scan.points.push_back(samples[i].point + out * samples[i].normal);
     }
-    scan.shift = hidden.shift + random_vector(errors.shift_sd, random);
-    scan.rotation = hidden.rotation + random_vector(errors.angle_sd, random);
+    scan.shift = hidden.shift + ordinary_vector(errors.shift_sd, random);
+    scan.rotation = hidden.rotation + ordinary_vector(errors.angle_sd, random);
     misplace(scan);
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
         const double place = end == 0 ? device.arc_length.front() : device.arc_length.back();

@@ -14,8 +14,8 @@ namespace braidzone::hidden {
 /// smooth energy. A rigid wall is a stiff one: 1e10 Pa/m yield half a micrometre to the contact
 /// pressures here.
 struct WallSprings {
-    double stiffness = 1e10;  ///< k [Pa/m]
-    double stiffening = 0.0;  ///< k3 [Pa/m^3]
+    double stiffness = 1e10;   ///< k [Pa/m]
+    double stiffening = 0.0;   ///< k3 [Pa/m^3]
     double rounding = 0.5e-6;  ///< d [m]
 };
 
