@@ -80,6 +80,16 @@ Json place(const PlaceOnCenterline& value)
     return point(std::get<Vec3>(value));
 }
 
+/// By name at the ends, where cases without the share have it.
+void add_switch(Json& section, const SwitchKeys& keys, double share)
+{
+    if (share == 0.0 || share == 1.0) {
+        section[std::string(keys.name_key)] = share == 0.0 ? keys.off : keys.on;
+    } else {
+        section[std::string(keys.share_key)] = share;
+    }
+}
+
 void add_schedule(Json& section, const ReleaseSchedule& schedule)
 {
     Json windows = Json::array();
@@ -89,7 +99,17 @@ void add_schedule(Json& section, const ReleaseSchedule& schedule)
                            {"spacing", window.spacing}});
     }
     if (!windows.empty()) section["push_pull"] = windows;
-    section["release"] = name_of(schedule.mode);
+    add_switch(section, sliding_keys, schedule.sliding);
+    for (const AxialTwist& twist : schedule.twists) {
+        section["twist"].push_back({{"angle", format_quantity(twist.angle, Dimension::angle)},
+                                    {"centre", length(twist.centre)},
+                                    {"half_width", length(twist.half_width)}});
+    }
+    for (const IncompleteOpening& opening : schedule.incomplete_openings) {
+        section["incomplete_opening"].push_back({{"end", name_of(opening.end)},
+                                                 {"length", length(opening.length)},
+                                                 {"shrink", opening.shrink}});
+    }
     if (!schedule.table_file.empty()) section["spacing_table"] = schedule.table_file.string();
 }
 
@@ -120,7 +140,7 @@ Json deployment_section(const Case& job)
     section["axial"] = name_of(options.axial);
     section["release_order"] = name_of(options.release_order);
     section["motion"] = name_of(options.motion);
-    section["ring_hub"] = name_of(options.ring_hub);
+    add_switch(section, hub_freedom_keys, options.hub_freedom);
     section["hoop_migration"] = options.hoop_migration;
     if (std::isfinite(options.friction)) {
         section["friction"] = options.friction;

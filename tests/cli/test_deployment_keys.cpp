@@ -41,7 +41,7 @@ TEST(DeploymentKeys, AreThePaperWithCrossingsByDefault)
     EXPECT_EQ(keys.options.axial, AxialMotion::locked);
     EXPECT_EQ(keys.options.release_order, ReleaseOrder::ring_by_ring);
     EXPECT_EQ(keys.options.motion, Motion::inertial);
-    EXPECT_EQ(keys.options.ring_hub, RingHub::fixed);
+    EXPECT_EQ(keys.options.hub_freedom, 0.0);
     EXPECT_FALSE(keys.options.hoop_migration);
     EXPECT_EQ(keys.options.friction, infinite_friction);
     EXPECT_EQ(keys.options.wall_stiffness, rigid_wall);
@@ -65,7 +65,7 @@ num_frames = 12
     EXPECT_EQ(options.axial, AxialMotion::free);
     EXPECT_EQ(options.release_order, ReleaseOrder::at_once);
     EXPECT_EQ(options.motion, Motion::quasi_static);
-    EXPECT_EQ(options.ring_hub, RingHub::free);
+    EXPECT_EQ(options.hub_freedom, 1.0);
     EXPECT_TRUE(options.hoop_migration);
     EXPECT_EQ(options.friction, 0.2);
     EXPECT_DOUBLE_EQ(options.wall_stiffness, 1e8);
