@@ -27,12 +27,26 @@ Json centerline_end(const CenterlineEnd& end)
     return point(std::get<Vec3>(end));
 }
 
+Json straightening_section(const VesselStraightening& straightening)
+{
+    Json section = {{"share", straightening.share},
+                    {"centre", length(straightening.centre)},
+                    {"half_width", length(straightening.half_width)}};
+    if (straightening.kept_to > straightening.kept_from) {
+        section["kept_from"] = length(straightening.kept_from);
+        section["kept_to"] = length(straightening.kept_to);
+    }
+    return section;
+}
+
 Json vessel_section(const VesselSource& vessel)
 {
     Json section = {{"surface", vessel.surface.string()},
                     {"length_unit", vessel.unit.name},
                     {"repair", vessel.repair},
                     {"wall_offset", length(vessel.wall_offset)}};
+    if (vessel.straightening.share > 0.0)
+        section["straightening"] = straightening_section(vessel.straightening);
     if (vessel.centerline) {
         section["centerline"] = vessel.centerline->string();
         section["centerline_line"] = vessel.centerline_line;

@@ -26,8 +26,8 @@ namespace braidzone {
 /// of helices of both angles, cos^2 b / R, is that of the braid at rest. The sign of the angle does
 /// not matter to the radius: mirrored, the families change places.
 ///
-/// Arms that kept their lengths instead would be stretched and pressed, and the pressed family
-/// buckles in the lattice from x of about a third.
+/// Arms that kept their lengths instead would be stretched in one family and pressed in the other,
+/// which buckles in the lattice from x of about a third.
 struct AxialTwist {
     double angle = 0.0;       ///< [rad]; positive: proximal rings turn about the downstream axis
     double centre = 0.0;      ///< arc length on the centerline [m]

@@ -15,13 +15,23 @@ Deployment deploy_in(const Model& model, const Lumen& lumen)
                   model.options);
 }
 
+/// In the lumen as the model changes it.
+Deployment deploy_in_changed(const Model& model, const Lumen& lumen)
+{
+    const bool is_straighter = model.straightening.share > 0.0;
+    if (model.wall_offset == 0.0 && !is_straighter) return deploy_in(model, lumen);
+    if (!is_straighter) return deploy_in(model, with_moved_wall(lumen, model.wall_offset));
+    if (model.wall_offset == 0.0)
+        return deploy_in(model, straightened_lumen(lumen, model.straightening));
+    return deploy_in(
+        model, straightened_lumen(with_moved_wall(lumen, model.wall_offset), model.straightening));
+}
+
 }  // namespace
 
 Simulation simulate(const Model& model, const Lumen& lumen)
 {
-    Deployment deployment = model.wall_offset == 0.0
-                                ? deploy_in(model, lumen)
-                                : deploy_in(model, with_moved_wall(lumen, model.wall_offset));
+    Deployment deployment = deploy_in_changed(model, lumen);
     if (!deployment.converged) {
         throw ConvergenceError(fmt::format(
             "the deployment did not come to rest in {} steps: the largest force on a free node is "
