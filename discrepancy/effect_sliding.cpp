@@ -6,9 +6,8 @@ namespace braidzone {
 ///
 /// Rings that stick stay at the nominal spacing at which the catheter sets them down; a braid that
 /// slides goes part of the way to the spacing at which it is free of force in the vessel
-/// (`release_spacing.hpp`). It is longer, less dense, and bulges less into the neck. The share is
-/// on top of what the case has. Prior 0.4: measured lengths lie between those of both ends. Key:
-/// deployment.sliding.
+/// (`release_spacing.hpp`). It is longer, less dense, and bulges less into the neck. Prior 0.4
+/// about what the case has: not much more is known of it than its bounds. Key: deployment.sliding.
 Effect sliding_effect()
 {
     const auto parameters = [](const EffectSetting& setting) {

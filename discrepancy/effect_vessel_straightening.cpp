@@ -9,8 +9,9 @@ namespace braidzone {
 ///
 /// A share of the curvature over a window goes (`vessel_straightening.hpp`); the vessel around the
 /// device as a whole stays where it was. The window has a place and a width, since bends give way
-/// one by one: with a uniform share the effect was found in 4 of 20 blind cases only. Prior of the
-/// share 0.3: flow diverters take 10 to 30 % of the angle out of a bend. Needs a case without
+/// one by one. That vessels change their shape is one of two causes that were named for devices
+/// whose length was predicted wrongly (Bouillot et al. 2016, AJNR 37:2079). Prior of the share 0.3:
+/// a soft braid is not expected to take more than half of a bend away. Needs a case without
 /// straightening of its own. Key: vessel.straightening.
 Effect vessel_straightening_effect()
 {

@@ -77,6 +77,7 @@ TEST(Effects, MoveTheSurfaceSmoothlyAlongEachParameter)
     const Lumen lumen = sidewall();
     EffectSetting setting;
     setting.base.device = test::pipeline(4e-3);
+    setting.base.device.force_scale = 61.0;  // as the 4 mm device of the library
     setting.base.landing_distal = 25e-3;
     setting.from = 5e-3;
     setting.to = 25e-3;
