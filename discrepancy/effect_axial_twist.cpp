@@ -18,8 +18,9 @@ constexpr double start_distance = 2.5e-3;
 ///
 /// Over a stretch the rings are turned against each other, and the braid narrows to a waist
 /// (`axial_twist.hpp`), seen where the waist is narrower than the vessel. Only the size of the
-/// angle shows in the surface. Prior of the angle 100 degrees: below 60 degrees over 5 mm a braid
-/// that is 10 % oversized does not leave the wall. Key: deployment.twist.
+/// angle shows in the surface. Prior of the angle 100 degrees: it takes 110 degrees over 5 mm until
+/// a 4 mm braid that is 10 % oversized leaves the wall, and more than 180 degrees over 4 mm would
+/// lay one family of wires along the vessel. Key: deployment.twist.
 Effect axial_twist_effect()
 {
     const auto parameters = [](const EffectSetting& setting) {

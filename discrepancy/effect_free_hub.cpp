@@ -7,8 +7,9 @@ namespace braidzone {
 /// The hub of a ring's radial springs gives way to them (`opening_braid.hpp`): where the wall holds
 /// the ring on one side only, it shifts into the open side, and the braid bulges further into a
 /// neck. Of the paper's two migrations it is that of the whole ring; that of its nodes around the
-/// ring is `deployment.hoop_migration`, which has no continuous counterpart. Prior 0.5 of a free
-/// hub. Key: deployment.hub_freedom.
+/// ring is `deployment.hoop_migration`, which has no continuous counterpart. In a vessel that holds
+/// the ring all around but for a neck it moves the surface by some micrometres only, and will be
+/// found to be one that cannot be told. Prior 0.5 of a free hub. Key: deployment.hub_freedom.
 Effect free_hub_effect()
 {
     const auto parameters = [](const EffectSetting& setting) {
