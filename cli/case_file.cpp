@@ -27,6 +27,30 @@ std::optional<CenterlineEnd> read_end(const TomlTable& table, const std::string&
     return static_cast<int>(opening);
 }
 
+VesselStraightening read_straightening(const TomlTable& vessel)
+{
+    VesselStraightening straightening;
+    if (!vessel.has("straightening")) return straightening;
+    const TomlTable table = vessel.table("straightening");
+    straightening.share = table.number("share");
+    straightening.centre = table.quantity("centre", Dimension::length);
+    straightening.half_width = table.quantity("half_width", Dimension::length);
+    straightening.kept_from = table.quantity_or("kept_from", Dimension::length, 0.0);
+    straightening.kept_to = table.quantity_or("kept_to", Dimension::length, 0.0);
+    if (table.has("kept_from") != table.has("kept_to")) {
+        throw ConfigError(
+            fmt::format("{} is given without its counterpart; a kept stretch needs kept_from and "
+                        "kept_to",
+                        table.where(table.has("kept_from") ? "kept_from" : "kept_to")));
+    }
+    try {
+        validate(straightening);
+    } catch (const ConfigError& error) {
+        throw ConfigError(fmt::format("{}: {}", vessel.where("straightening"), error.what()));
+    }
+    return straightening;
+}
+
 VesselSource read_vessel(const TomlTable& table)
 {
     VesselSource vessel;
@@ -39,6 +63,7 @@ VesselSource read_vessel(const TomlTable& table)
     }
     vessel.repair = table.boolean_or("repair", false);
     vessel.wall_offset = table.quantity_or("wall_offset", Dimension::length, 0.0);
+    vessel.straightening = read_straightening(table);
     if (table.has("centerline")) vessel.centerline = file_path(table, "centerline");
     vessel.centerline_line = integer_in_range(table, "centerline_line", -1, -1, 1000000);
     vessel.reverse_centerline = table.boolean_or("reverse_centerline", false);

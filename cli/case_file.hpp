@@ -5,6 +5,7 @@
 #include "core/fluid.hpp"
 #include "core/length_unit.hpp"
 #include "core/vector.hpp"
+#include "core/vessel_straightening.hpp"
 #include "deploy/flow_diverter.hpp"
 #include "discrepancy/imaging.hpp"
 #include "export/foam_case.hpp"
@@ -32,6 +33,7 @@ struct VesselSource {
     bool repair = false;  ///< repair a defective surface instead of refusing it
     /// By which the wall is moved outwards along its normals [m].
     double wall_offset = 0.0;
+    VesselStraightening straightening;                ///< after the wall has been moved
     std::optional<std::filesystem::path> centerline;  ///< computed if absent
     int centerline_line = -1;         ///< which line of the file; -1: there must be one only
     bool reverse_centerline = false;  ///< the file's first point is the distal end

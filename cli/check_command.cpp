@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace braidzone {
 namespace {
@@ -55,18 +56,33 @@ void print_device(const char* label, const FlowDiverter& device,
         fmt::print("  note: {}\n", note);
 }
 
+std::string spacing_text(double sliding)
+{
+    if (sliding == 0.0) return "nominal spacing";
+    if (sliding == 1.0) return "force-free spacing";
+    return fmt::format("{:.4g} of the way from nominal to force-free spacing", sliding);
+}
+
 void print_release(const ReleaseSchedule& schedule)
 {
     if (!schedule.table_file.empty()) {
         fmt::print("  released at the spacing of {}\n", schedule.table_file.string());
     } else {
-        fmt::print("  released at {} spacing\n",
-                   schedule.mode == ReleaseMode::nominal ? "nominal" : "force-free");
+        fmt::print("  released at {}\n", spacing_text(schedule.sliding));
     }
     for (const PushPull& window : schedule.windows) {
         fmt::print("  {} from {:.4g} to {:.4g} mm, to {:.4g} of that spacing\n",
                    window.spacing < 1.0 ? "pushed" : "pulled", 1e3 * window.from, 1e3 * window.to,
                    window.spacing);
+    }
+    for (const AxialTwist& twist : schedule.twists) {
+        fmt::print("  twisted by {:.4g} deg from {:.4g} to {:.4g} mm\n",
+                   twist.angle * 180.0 / std::numbers::pi, 1e3 * (twist.centre - twist.half_width),
+                   1e3 * (twist.centre + twist.half_width));
+    }
+    for (const IncompleteOpening& opening : schedule.incomplete_openings) {
+        fmt::print("  {} {:.4g} mm not fully open, by {:.4g} of the radius at the end\n",
+                   name_of(opening.end), 1e3 * opening.length, opening.shrink);
     }
 }
 

@@ -23,14 +23,13 @@ constexpr Names<LatticeKind> lattices{
     {{LatticeKind::crossings, "crossings"}, {LatticeKind::paper_2020, "paper-2020"}}};
 constexpr Names<AxialMotion> axial_motions{
     {{AxialMotion::locked, "locked"}, {AxialMotion::free, "free"}}};
-constexpr Names<ReleaseMode> release_modes{
-    {{ReleaseMode::nominal, "nominal"}, {ReleaseMode::force_free, "force_free"}}};
+constexpr Names<DeviceEnd> device_ends{
+    {{DeviceEnd::distal, "distal"}, {DeviceEnd::proximal, "proximal"}}};
 constexpr Names<ReleaseOrder> release_orders{
     {{ReleaseOrder::ring_by_ring, "ring_by_ring"}, {ReleaseOrder::at_once, "at_once"}}};
 constexpr Names<Motion, 3> motions{{{Motion::inertial, "inertial"},
                                     {Motion::quasi_static, "quasi_static"},
                                     {Motion::none, "none"}}};
-constexpr Names<RingHub> ring_hubs{{{RingHub::fixed, "fixed"}, {RingHub::free, "free"}}};
 
 template <typename Choice, std::size_t size>
 std::string_view name_in(const Names<Choice, size>& names, Choice choice)
@@ -54,6 +53,59 @@ Choice read_choice(const TomlTable& table, const std::string& key, const Names<C
         ->first;
 }
 
+/// 0 to 1: a switch by the name of an end, or by a share.
+double read_switch(const TomlTable& table, const SwitchKeys& keys)
+{
+    const std::string name_key(keys.name_key), share_key(keys.share_key);
+    if (table.has(name_key) && table.has(share_key)) {
+        throw ConfigError(
+            fmt::format("{} = {:.6g} stands beside {}, which names one of its ends; "
+                        "keep one of them",
+                        table.where(share_key), table.number(share_key), name_key));
+    }
+    const std::string off(keys.off), on(keys.on);
+    if (!table.has(share_key)) return one_of(table, name_key, off, {off, on}) == on ? 1.0 : 0.0;
+    const double share = table.number(share_key);
+    if (share >= 0.0 && share <= 1.0) return share;
+    throw ConfigError(fmt::format("{} = {:.6g} is out of range; allowed are 0 ({}) to 1 ({})",
+                                  table.where(share_key), share, off, on));
+}
+
+/// Checks what was read from a key, and tells the key's place if it is refused.
+template <typename Values>
+void validate_at(const TomlTable& table, const std::string& key, const Values& values)
+{
+    try {
+        validate(values);
+    } catch (const ConfigError& error) {
+        throw ConfigError(fmt::format("{}: {}", table.where(key), error.what()));
+    }
+}
+
+std::vector<AxialTwist> read_twists(const TomlTable& table)
+{
+    std::vector<AxialTwist> twists;
+    for (const TomlTable& twist : table.tables("twist")) {
+        twists.push_back({twist.quantity("angle", Dimension::angle),
+                          twist.quantity("centre", Dimension::length),
+                          twist.quantity("half_width", Dimension::length)});
+    }
+    validate_at(table, "twist", twists);
+    return twists;
+}
+
+std::vector<IncompleteOpening> read_incomplete_openings(const TomlTable& table)
+{
+    std::vector<IncompleteOpening> openings;
+    for (const TomlTable& opening : table.tables("incomplete_opening")) {
+        openings.push_back({read_choice(opening, "end", device_ends, DeviceEnd::proximal),
+                            opening.quantity("length", Dimension::length),
+                            opening.number("shrink")});
+    }
+    validate_at(table, "incomplete_opening", openings);
+    return openings;
+}
+
 }  // namespace
 
 PlaceOnCenterline read_place(const TomlTable& table, const std::string& key)
@@ -70,17 +122,14 @@ ReleaseSchedule read_schedule(const TomlTable& table)
                                     window.quantity("to", Dimension::length),
                                     window.number("spacing")});
     }
-    schedule.mode = read_choice(table, "release", release_modes, schedule.mode);
+    schedule.sliding = read_switch(table, sliding_keys);
+    schedule.twists = read_twists(table);
+    schedule.incomplete_openings = read_incomplete_openings(table);
     if (table.has("spacing_table")) {
         schedule.table_file = (table.folder() / table.text("spacing_table")).lexically_normal();
         schedule.table = read_spacing_table(schedule.table_file);
     }
-    try {
-        validate(schedule);
-    } catch (const ConfigError& error) {
-        const std::string key = schedule.table.empty() ? "push_pull" : "spacing_table";
-        throw ConfigError(fmt::format("{}: {}", table.where(key), error.what()));
-    }
+    validate_at(table, schedule.table.empty() ? "push_pull" : "spacing_table", schedule);
     return schedule;
 }
 
@@ -110,11 +159,11 @@ void require_that_friction_matters(const TomlTable& table, const DeployOptions& 
 void require_motion_where_needed(const TomlTable& table, const DeployOptions& options)
 {
     if (options.motion != Motion::none) return;
-    if (options.ring_hub == RingHub::free) {
+    if (options.hub_freedom > 0.0) {
         throw ConfigError(
-            fmt::format("{} = \"none\" and ring_hub = \"free\" exclude each other: the "
-                        "shape of a braid whose hubs move is found by its motion",
-                        table.where("motion")));
+            fmt::format("{} = \"none\" and hub_freedom = {:.6g} exclude each other: the shape of a "
+                        "braid whose hubs move is found by its motion",
+                        table.where("motion"), options.hub_freedom));
     }
     if (options.num_frames > 0) {
         throw ConfigError(
@@ -131,7 +180,7 @@ DeployOptions read_deploy_options(const TomlTable& table)
     options.release_order =
         read_choice(table, "release_order", release_orders, options.release_order);
     options.motion = read_choice(table, "motion", motions, options.motion);
-    options.ring_hub = read_choice(table, "ring_hub", ring_hubs, options.ring_hub);
+    options.hub_freedom = read_switch(table, hub_freedom_keys);
     options.hoop_migration = table.boolean_or("hoop_migration", options.hoop_migration);
     options.friction = read_friction(table, options.friction);
     require_that_friction_matters(table, options);
@@ -185,11 +234,6 @@ std::string_view name_of(AxialMotion axial)
     return name_in(axial_motions, axial);
 }
 
-std::string_view name_of(ReleaseMode mode)
-{
-    return name_in(release_modes, mode);
-}
-
 std::string_view name_of(ReleaseOrder order)
 {
     return name_in(release_orders, order);
@@ -200,9 +244,9 @@ std::string_view name_of(Motion motion)
     return name_in(motions, motion);
 }
 
-std::string_view name_of(RingHub hub)
+std::string_view name_of(DeviceEnd end)
 {
-    return name_in(ring_hubs, hub);
+    return name_in(device_ends, end);
 }
 
 }  // namespace braidzone

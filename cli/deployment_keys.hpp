@@ -40,9 +40,16 @@ DeploymentKeys read_deployment_keys(const TomlTable& table);
 // Names in the case file.
 std::string_view name_of(LatticeKind lattice);  ///< "crossings", "paper-2020"
 std::string_view name_of(AxialMotion axial);    ///< "locked", "free"
-std::string_view name_of(ReleaseMode mode);
-std::string_view name_of(ReleaseOrder order);  ///< "ring_by_ring", "at_once"
-std::string_view name_of(Motion motion);       ///< "inertial", "quasi_static"
-std::string_view name_of(RingHub hub);         ///< "fixed", "free"
+std::string_view name_of(ReleaseOrder order);   ///< "ring_by_ring", "at_once"
+std::string_view name_of(Motion motion);        ///< "inertial", "quasi_static"
+std::string_view name_of(DeviceEnd end);        ///< "distal", "proximal"
+
+/// The two ends of a switch that has values in between: by name for 0 and 1, by number else.
+struct SwitchKeys {
+    std::string_view name_key, off, on;  ///< "release": "nominal", "force_free"
+    std::string_view share_key;          ///< "sliding", 0 to 1
+};
+constexpr SwitchKeys sliding_keys{"release", "nominal", "force_free", "sliding"};
+constexpr SwitchKeys hub_freedom_keys{"ring_hub", "fixed", "free", "hub_freedom"};
 
 }  // namespace braidzone

@@ -18,6 +18,7 @@ Model model_of(const Case& job, const Centerline& centerline)
             .schedule = job.schedule,
             .options = job.deployment,
             .wall_offset = job.vessel.wall_offset,
+            .straightening = job.vessel.straightening,
             .imaging = job.measurement};
 }
 
@@ -29,6 +30,7 @@ Case case_of(const Case& job, const Model& model)
     altered.schedule = model.schedule;
     altered.deployment = model.options;
     altered.vessel.wall_offset = model.wall_offset;
+    altered.vessel.straightening = model.straightening;
     altered.measurement = model.imaging;
     return altered;
 }

@@ -3,9 +3,12 @@
 #include "cli/case_geometry.hpp"
 #include "core/error.hpp"
 #include "deploy/device_lining.hpp"
+#include "discrepancy/lumen.hpp"
 #include "porous/braid_surface.hpp"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace braidzone {
 namespace {
@@ -22,12 +25,11 @@ void require_convergence(const Deployment& deployment)
 }
 
 /// A device at rest in the vessel, or in what lines it.
-Deployment deploy_to_rest(const FlowDiverter& device, const PlaceOnCenterline& landing,
+Deployment deploy_to_rest(const FlowDiverter& device, double landing,
                           const ReleaseSchedule& schedule, const DeployOptions& options,
                           const Centerline& centerline, const WallTree& wall)
 {
-    Deployment deployment =
-        deploy(device, centerline, wall, arc_length_at(landing, centerline), schedule, options);
+    Deployment deployment = deploy(device, centerline, wall, landing, schedule, options);
     require_convergence(deployment);
     return deployment;
 }
@@ -39,14 +41,20 @@ ResistanceSheet resistance_of(const Case& job, const Deployment& deployment,
                                  job.sheet);
 }
 
-Deployment deploy_second(const Case& job, const SecondDevice& second, const Deployment& first,
-                         const Vessel& vessel, const Centerline& centerline)
+Lumen as_straight_as_stated(Lumen lumen, const VesselStraightening& straightening)
+{
+    if (straightening.share == 0.0) return lumen;
+    return straightened_lumen(lumen, straightening);
+}
+
+Deployment deploy_second(const Case& job, const SecondDevice& second, double landing,
+                         const Deployment& first, const Vessel& vessel,
+                         const Centerline& centerline)
 {
     const WallTree lined_wall(vessel, inner_surface(first, job.device.wire_diameter));
     try {
-        Deployment deployment =
-            deploy_to_rest(second.device, second.landing_distal, second.schedule, job.deployment,
-                           centerline, lined_wall);
+        Deployment deployment = deploy_to_rest(second.device, landing, second.schedule,
+                                               job.deployment, centerline, lined_wall);
         measure_wall_distance_through(deployment, first, lined_wall,
                                       static_cast<int>(vessel.wall.triangles.size()));
         return deployment;
@@ -62,19 +70,27 @@ Deployment deploy_second(const Case& job, const SecondDevice& second, const Depl
 Chain run_chain(const Case& job, Stage last, Progress& progress)
 {
     progress.begin("vessel", "reading the vessel");
-    Vessel vessel = read_vessel(job.vessel);
-    WallTree wall(vessel);
+    Vessel given = read_vessel(job.vessel);
+    WallTree given_wall(given);
     progress.begin("centerline", "finding the centerline");
-    Centerline centerline = resample(find_centerline(job.vessel, vessel, wall));
+    const Centerline given_line = resample(find_centerline(job.vessel, given, given_wall));
+    // Places are given on the vessel as its file has it.
+    const auto landing = [&](const PlaceOnCenterline& place) {
+        return arc_length_at(place, given_line);
+    };
+    auto [vessel, wall, centerline] = as_straight_as_stated(
+        {std::move(given), std::move(given_wall), given_line}, job.vessel.straightening);
     progress.begin("deploy", "deploying the device");
-    Deployment deployment = deploy_to_rest(job.device, job.landing_distal, job.schedule,
+    Deployment deployment = deploy_to_rest(job.device, landing(job.landing_distal), job.schedule,
                                            job.deployment, centerline, wall);
     const NeckOptions neck{.given = job.neck};
     std::vector<WallOpening> openings = find_openings(deployment, wall, neck);
     std::optional<SecondDeployment> second;
     if (job.second_device) {
         second.emplace();
-        second->deployment = deploy_second(job, *job.second_device, deployment, vessel, centerline);
+        second->deployment =
+            deploy_second(job, *job.second_device, landing(job.second_device->landing_distal),
+                          deployment, vessel, centerline);
         second->openings = find_openings(second->deployment, wall, neck);
     }
     progress.begin("porous", "computing the flow resistance");

@@ -43,6 +43,9 @@ struct Chain {
 ///     Vessel + Centerline + FlowDiverter -> Deployment -> BraidSurface -> ResistanceSheet
 ///         -> PorousField
 ///
+/// A vessel that is straightened (`VesselSource::straightening`) is so before the device is
+/// deployed; places on its centerline are those on the vessel as it is given.
+///
 /// A second device comes to rest on the vessel's wall and on the inner surface of the first one
 /// (`device_lining.hpp`), which it does not move.
 ///

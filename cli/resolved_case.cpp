@@ -27,12 +27,26 @@ Json centerline_end(const CenterlineEnd& end)
     return point(std::get<Vec3>(end));
 }
 
+Json straightening_section(const VesselStraightening& straightening)
+{
+    Json section = {{"share", straightening.share},
+                    {"centre", length(straightening.centre)},
+                    {"half_width", length(straightening.half_width)}};
+    if (straightening.kept_to > straightening.kept_from) {
+        section["kept_from"] = length(straightening.kept_from);
+        section["kept_to"] = length(straightening.kept_to);
+    }
+    return section;
+}
+
 Json vessel_section(const VesselSource& vessel)
 {
     Json section = {{"surface", vessel.surface.string()},
                     {"length_unit", vessel.unit.name},
                     {"repair", vessel.repair},
                     {"wall_offset", length(vessel.wall_offset)}};
+    if (vessel.straightening.share > 0.0)
+        section["straightening"] = straightening_section(vessel.straightening);
     if (vessel.centerline) {
         section["centerline"] = vessel.centerline->string();
         section["centerline_line"] = vessel.centerline_line;
@@ -80,6 +94,16 @@ Json place(const PlaceOnCenterline& value)
     return point(std::get<Vec3>(value));
 }
 
+/// By name at the ends, where cases without the share have it.
+void add_switch(Json& section, const SwitchKeys& keys, double share)
+{
+    if (share == 0.0 || share == 1.0) {
+        section[std::string(keys.name_key)] = share == 0.0 ? keys.off : keys.on;
+    } else {
+        section[std::string(keys.share_key)] = share;
+    }
+}
+
 void add_schedule(Json& section, const ReleaseSchedule& schedule)
 {
     Json windows = Json::array();
@@ -89,7 +113,17 @@ void add_schedule(Json& section, const ReleaseSchedule& schedule)
                            {"spacing", window.spacing}});
     }
     if (!windows.empty()) section["push_pull"] = windows;
-    section["release"] = name_of(schedule.mode);
+    add_switch(section, sliding_keys, schedule.sliding);
+    for (const AxialTwist& twist : schedule.twists) {
+        section["twist"].push_back({{"angle", format_quantity(twist.angle, Dimension::angle)},
+                                    {"centre", length(twist.centre)},
+                                    {"half_width", length(twist.half_width)}});
+    }
+    for (const IncompleteOpening& opening : schedule.incomplete_openings) {
+        section["incomplete_opening"].push_back({{"end", name_of(opening.end)},
+                                                 {"length", length(opening.length)},
+                                                 {"shrink", opening.shrink}});
+    }
     if (!schedule.table_file.empty()) section["spacing_table"] = schedule.table_file.string();
 }
 
@@ -120,7 +154,7 @@ Json deployment_section(const Case& job)
     section["axial"] = name_of(options.axial);
     section["release_order"] = name_of(options.release_order);
     section["motion"] = name_of(options.motion);
-    section["ring_hub"] = name_of(options.ring_hub);
+    add_switch(section, hub_freedom_keys, options.hub_freedom);
     section["hoop_migration"] = options.hoop_migration;
     if (std::isfinite(options.friction)) {
         section["friction"] = options.friction;

@@ -1,6 +1,7 @@
 #include "deploy/braid_lattice.hpp"
 
 #include "core/error.hpp"
+#include "core/smooth_step.hpp"
 
 #include <fmt/format.h>
 
@@ -45,12 +46,6 @@ BraidLattice paper_lattice(const FlowDiverter& device)
     return lattice;
 }
 
-/// Share of a flare at a place u of its length from the end: 1 at u = 0, 0 from u = 1, smooth.
-double flare_profile(double u)
-{
-    return u < 1.0 ? (1.0 - u) * (1.0 - u) * (1.0 + 2.0 * u) : 0.0;
-}
-
 void add_flares(BraidLattice& lattice, const FlowDiverter& device)
 {
     for (int ring = 0; ring < lattice.num_rings; ++ring) {
@@ -58,8 +53,8 @@ void add_flares(BraidLattice& lattice, const FlowDiverter& device)
         const double from_proximal = (lattice.num_rings - 1 - ring) * lattice.ring_spacing;
         lattice.rest_radii.push_back(
             lattice.nominal_radius +
-            device.distal_flare * flare_profile(from_distal / device.flare_length) +
-            device.proximal_flare * flare_profile(from_proximal / device.flare_length));
+            device.distal_flare * smooth_step(1.0 - from_distal / device.flare_length) +
+            device.proximal_flare * smooth_step(1.0 - from_proximal / device.flare_length));
     }
     const double square_length = lattice.arm_length * lattice.arm_length;
     const double square_spacing = lattice.ring_spacing * lattice.ring_spacing;

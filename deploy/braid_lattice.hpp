@@ -48,6 +48,10 @@ struct BraidLattice {
     std::vector<double> rest_radii = {};
     /// Force-free spacing from each ring to the next [m]; empty: dL0.
     std::vector<double> gap_spacings = {};
+    /// Force-free lengths of the arms from each ring to the next, by `arm_steps`, of a twisted
+    /// braid
+    /// (`axial_twist.hpp`) [m]; empty: l0.
+    std::vector<std::array<double, 2>> arm_lengths = {};
 
     int num_nodes() const { return nodes_per_ring * num_rings; }
     int num_rhombi() const { return nodes_per_ring * (num_rings - 2); }
@@ -68,6 +72,12 @@ struct BraidLattice {
     double gap_spacing(int ring) const
     {
         return gap_spacings.empty() ? ring_spacing : gap_spacings[static_cast<std::size_t>(ring)];
+    }
+    /// Force-free length of an arm from a ring to the next, along `arm_steps[family]` [m].
+    double rest_length(int ring, std::size_t family) const
+    {
+        return arm_lengths.empty() ? arm_length
+                                   : arm_lengths[static_cast<std::size_t>(ring)][family];
     }
     /// Area of the device's surface that an inner node stands for, force-free [m^2]:
     /// dL0 2 pi R0 / n.

@@ -19,8 +19,9 @@ struct CrimpedBraid {
 /// Lays a braid along the cross-sections of its rings.
 /// @param rings   one for each ring of the lattice, distal first
 /// @param radius  of the catheter [m]; > 0
+/// @param turns   of each ring about its tangent, on top of the lattice's angles [rad]; none: 0
 CrimpedBraid crimp(const BraidLattice& lattice, const std::vector<CrossSection>& rings,
-                   double radius);
+                   double radius, const std::vector<double>& turns = {});
 
 /// Place of a node at a distance from its hub along its ray [m].
 Vec3 on_ray(const CrimpedBraid& braid, int node, double distance);

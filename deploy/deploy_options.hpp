@@ -17,10 +17,6 @@ enum class ReleaseOrder { ring_by_ring, at_once };
 /// shape at rest is solved for (`resting_shape.hpp`).
 enum class Motion { inertial, quasi_static, none };
 
-/// Where the radial springs of a ring are fixed: to the middle of the lumen or the centerline
-/// (`centre_rings`), or to a hub that finds its own place in the ring's plane.
-enum class RingHub { fixed, free };
-
 /// No sliding at all: the friction of Zavodszky et al. 2020.
 constexpr double infinite_friction = std::numeric_limits<double>::infinity();
 
@@ -32,7 +28,10 @@ struct DeployOptions {
     AxialMotion axial = AxialMotion::locked;
     ReleaseOrder release_order = ReleaseOrder::ring_by_ring;
     Motion motion = Motion::inertial;
-    RingHub ring_hub = RingHub::fixed;
+    /// h, of the hub to which the radial springs of a ring are fixed: 0 stays in the middle of the
+    /// lumen or on the centerline (`centre_rings`), 1 finds its own place in the ring's plane, and
+    /// between them a spring ties it to its place (`opening_braid.hpp`).
+    double hub_freedom = 0.0;
     /// Nodes move around their ring where no wall holds them.
     bool hoop_migration = false;
     /// Coulomb's coefficient between wire and wall [-]: 0 for none, or infinite. It matters only

@@ -41,13 +41,15 @@ std::vector<CrossSection> sections_at(const Centerline& centerline,
 
 /// The braid in its catheter, its rings where they are released.
 CrimpedBraid lay_out_rings(const FlowDiverter& device, const BraidLattice& lattice,
-                           const std::vector<double>& positions, const Centerline& centerline,
+                           const std::vector<double>& positions,
+                           const std::vector<AxialTwist>& twists, const Centerline& centerline,
                            const WallTree& wall, bool centre_rings)
 {
     const std::vector<CrossSection> rings =
         centre_rings ? centred_rings(centerline, wall, positions, lattice.nominal_radius)
                      : sections_at(centerline, positions);
-    return crimp(lattice, rings, 0.5 * device.catheter_diameter);
+    const std::vector<double> turns = ring_turns(twists, lattice, positions);
+    return crimp(twisted(lattice, turns), rings, 0.5 * device.catheter_diameter, turns);
 }
 
 std::vector<double> stops_in_vessel(const CrimpedBraid& braid, const WallTree& wall)
@@ -149,6 +151,15 @@ RestingBraid open(const CrimpedBraid& crimped, const SpringCoefficients& coeffic
         rest.residual_history.push_back({rest.steps, rest.residual});
     rest.record = record.finish(rest.steps, braid.num_released(), rest.radii);
     return rest;
+}
+
+/// How far nodes lie beyond the wall as it was, along their rays [m].
+std::vector<double> beyond(const std::vector<double>& stops, const std::vector<double>& radii)
+{
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < radii.size(); ++i)
+        distances.push_back(std::max(0.0, radii[i] - stops[i]));
+    return distances;
 }
 
 std::vector<Vec3> nodes_at(const CrimpedBraid& braid, const std::vector<double>& radii)
@@ -253,31 +264,35 @@ Deployment deploy(const FlowDiverter& device, const Centerline& centerline, cons
     std::vector<double> positions = release_positions(device, lattice, centerline, wall, schedule,
                                                       landing_distal, options.centre_rings);
     require_device_on_centerline(centerline, positions);
-    const CrimpedBraid crimped =
-        lay_out_rings(device, lattice, positions, centerline, wall, options.centre_rings);
+    const CrimpedBraid crimped = lay_out_rings(device, lattice, positions, schedule.twists,
+                                               centerline, wall, options.centre_rings);
     require_room_for_catheter(crimped, positions, wall);
     require_fitting_diameter(device, crimped.rings);
 
     const SpringCoefficients coefficients =
         spring_coefficients(device, lattice, options.bending_ratio);
-    WallSupport support{stops_in_vessel(crimped, wall)};
-    if (std::isfinite(options.wall_stiffness)) {
-        support.stiffness = wall_stiffnesses(crimped, support.stops,
+    const std::vector<double> wall_stops = stops_in_vessel(crimped, wall);
+    WallSupport support{narrowed_stops(schedule.incomplete_openings, wall_stops, lattice, positions,
+                                       device.braid_ratio, crimped.radius)};
+    const bool is_compliant = std::isfinite(options.wall_stiffness);
+    if (is_compliant) {
+        support.stiffness = wall_stiffnesses(crimped, wall_stops,
                                              options.wall_stiffness / coefficients.force_scale);
     }
-    const RestingBraid rest = options.motion == Motion::none
-                                  ? solve_for_rest(crimped, coefficients, support, options)
-                                  : open(crimped, coefficients, support, options);
+    RestingBraid rest = options.motion == Motion::none
+                            ? solve_for_rest(crimped, coefficients, support, options)
+                            : open(crimped, coefficients, support, options);
+    if (is_compliant) rest.wall_displacement = beyond(wall_stops, rest.radii);
 
     Deployment result = as_it_is(crimped, rest, wall, device.wire_diameter);
     if (options.lattice == LatticeKind::paper_2020) {
         const BraidLattice crossings = make_lattice(device);
         const LatticeMapping mapping = make_lattice_mapping(lattice, crossings);
         positions = carried_over_rings(mapping, positions);
-        result = laid_onto(
-            result, rest, mapping,
-            lay_out_rings(device, crossings, positions, centerline, wall, options.centre_rings),
-            wall, device.wire_diameter);
+        result = laid_onto(result, rest, mapping,
+                           lay_out_rings(device, crossings, positions, schedule.twists, centerline,
+                                         wall, options.centre_rings),
+                           wall, device.wire_diameter);
     }
     result.ring_arc_length = positions;
     result.residual_history = rest.residual_history;

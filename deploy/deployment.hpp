@@ -49,13 +49,17 @@ struct Deployment {
 /// (`wall_contact.hpp`). It ends when no free node bears a force above the tolerance; otherwise
 /// `converged` is false.
 ///
+/// A vessel or an operator that does otherwise than the paper's: the ring spacing, a twist and ends
+/// that do not open in full are in `ReleaseSchedule`, the wall and the hubs in `DeployOptions`.
+///
 /// Nodes keep their angle and rings their plane, as in the surfaces of the paper's authors: a node
 /// drifts out of its ray by a few hundredths of a millimetre there. Neither elongation nor
 /// migration around the ring is covered.
 ///
 /// @param landing_distal  arc length of the distal end on the centerline [m]
 /// @throws GeometryError if the device does not lie within the centerline, the catheter does not
-///         fit into the lumen, or the device is too small or too large for the vessel
+///         fit into the lumen, or the device is too small or too large for the vessel; ConfigError
+///         if the schedule is not valid, or an option does not go together with the others
 Deployment deploy(const FlowDiverter& device, const Centerline& centerline, const WallTree& wall,
                   double landing_distal, const ReleaseSchedule& schedule,
                   const DeployOptions& options = {});

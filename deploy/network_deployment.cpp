@@ -62,7 +62,24 @@ void require_consistent(const ReleaseSchedule& schedule, const DeployOptions& op
             "deployment.wall_stiffness does not go together with axial = \"free\" or "
             "hoop_migration = true; leave it out for a rigid wall");
     }
+    if (!schedule.twists.empty() || !schedule.incomplete_openings.empty()) {
+        throw ConfigError(fmt::format(
+            "deployment.{} goes with nodes that stay on their rays only; it cannot stand beside "
+            "axial = \"free\" or hoop_migration = true",
+            schedule.twists.empty() ? "incomplete_opening" : "twist"));
+    }
+    if (options.hub_freedom > 0.0 && options.hub_freedom < 1.0) {
+        throw ConfigError(fmt::format(
+            "deployment.hub_freedom = {:.6g}: with axial = \"free\" or hoop_migration = true the "
+            "hub of a ring is the mean of its nodes; leave it out",
+            options.hub_freedom));
+    }
     if (!is_axially_free(options)) return;
+    if (schedule.sliding > 0.0) {
+        throw ConfigError(
+            "deployment.sliding (1 with release = \"force_free\") prescribes the ring spacing, "
+            "which is free with axial = \"free\"; leave it out there");
+    }
     if (options.release_order == ReleaseOrder::at_once) {
         throw ConfigError(
             "deployment.release_order = \"at_once\" does not go together with axial = \"free\", "

@@ -20,13 +20,13 @@ constexpr double stillness_ratio = 0.02;
 /// own spring; the mode of a free hub against its ring is at most twice as stiff as a radial
 /// spring.
 double largest_squared_frequency(const SpringCoefficients& coefficients, const WallSupport& support,
-                                 bool free_hubs)
+                                 bool hubs_move)
 {
     double wall = 0.0;
     for (double stiffness : support.stiffness)
         wall = std::max(wall, stiffness);
     const double lattice = largest_frequency(coefficients, mass);
-    const double hub = free_hubs ? radial_stiffness(coefficients.radial) : 0.0;
+    const double hub = hubs_move ? radial_stiffness(coefficients.radial) : 0.0;
     return lattice * lattice + (wall + hub) / mass;
 }
 
@@ -39,7 +39,7 @@ OpeningBraid::OpeningBraid(const CrimpedBraid& braid, const SpringCoefficients& 
       coefficients_(coefficients),
       support_(support),
       motion_(options.motion),
-      free_hubs_(options.ring_hub == RingHub::free),
+      hub_freedom_(options.hub_freedom),
       rings_(braid_.rings),
       radii_(braid_.rays.size(), braid_.radius),
       displacements_(radii_.size(), 0.0),
@@ -51,12 +51,14 @@ OpeningBraid::OpeningBraid(const CrimpedBraid& braid, const SpringCoefficients& 
       is_stale_(radii_.size(), 0),
       has_stale_(rings_.size(), 0)
 {
-    const double squared = largest_squared_frequency(coefficients_, support_, free_hubs_);
+    const double squared = largest_squared_frequency(coefficients_, support_, hubs_move());
     scheme_.mass = mass;
     scheme_.damping = options.damping;
     scheme_.time_step = options.time_step_ratio * 2.0 / std::sqrt(squared);
     mobility_ = options.time_step_ratio * 2.0 / (squared * mass);
     const double radial = radial_stiffness(coefficients_.radial);
+    if (hubs_move())
+        hub_stiffness_ = lattice_.nodes_per_ring * radial * (1.0 - hub_freedom_) / hub_freedom_;
     stillness_ = stillness_ratio * options.residual_tolerance * radial * lattice_.nominal_radius;
     if (motion_ == Motion::inertial)
         force_per_swing_ = std::sqrt(scheme_.mass * radial) / scheme_.time_step;
@@ -75,10 +77,10 @@ void OpeningBraid::step()
     take_stale_nodes();
     for (const Place& place : moving_)
         update_force(place);
-    if (free_hubs_) update_hub_forces();
+    if (hubs_move()) update_hub_forces();
     for (const Place& place : moving_)
         move(place);
-    if (!free_hubs_) return;
+    if (!hubs_move()) return;
     for (int ring = 0; ring < num_released_; ++ring)
         move_hub(ring);
 }
@@ -89,7 +91,7 @@ void OpeningBraid::update_all_forces()
         for (int column = 0; column < lattice_.nodes_per_ring; ++column)
             update_force({ring, column});
     }
-    if (free_hubs_) update_hub_forces();
+    if (hubs_move()) update_hub_forces();
 }
 
 double OpeningBraid::residual_of(std::size_t node) const
@@ -103,11 +105,11 @@ double OpeningBraid::largest_residual() const
     double largest = 0.0;
     for (int node = 0; node < num_released_ * lattice_.nodes_per_ring; ++node)
         largest = std::max(largest, residual_of(index(node)));
-    if (!free_hubs_) return largest;
+    if (!hubs_move()) return largest;
     for (int ring = 0; ring < num_released_; ++ring) {
         largest = std::max(
             {largest, hub_forces_[index(ring)].norm(),
-             lattice_.nodes_per_ring * force_per_swing_ * hub_displacements_[index(ring)].norm()});
+             hub_mass_ratio() * force_per_swing_ * hub_displacements_[index(ring)].norm()});
     }
     return largest;
 }
@@ -116,6 +118,8 @@ double OpeningBraid::elastic_energy() const
 {
     double energy = braidzone::elastic_energy(lattice_, coefficients_, nodes_, rings_) +
                     bending_energy(lattice_, coefficients_.bending, radii_);
+    for (int ring = 0; ring < lattice_.num_rings; ++ring)
+        energy += 0.5 * hub_stiffness_ * hub_way(ring).squaredNorm();
     if (!is_compliant()) return energy;
     for (std::size_t node = 0; node < radii_.size(); ++node) {
         const double beyond = std::max(0.0, radii_[node] - support_.stops[node]);
@@ -131,7 +135,7 @@ double OpeningBraid::kinetic_energy() const
     for (double displacement : displacements_)
         sum += displacement * displacement;
     for (const Vec3& displacement : hub_displacements_)
-        sum += lattice_.nodes_per_ring * displacement.squaredNorm();
+        if (hubs_move()) sum += hub_mass_ratio() * displacement.squaredNorm();
     return 0.5 * scheme_.mass * sum / (scheme_.time_step * scheme_.time_step);
 }
 
@@ -190,10 +194,18 @@ void OpeningBraid::update_force(Place place)
     if (is_compliant()) forces_[i] += wall_force(i);
 }
 
+/// From the hub's place to where it is.
+Vec3 OpeningBraid::hub_way(int ring) const
+{
+    return rings_[index(ring)].origin - braid_.rings[index(ring)].origin;
+}
+
 void OpeningBraid::update_hub_forces()
 {
-    for (int ring = 0; ring < num_released_; ++ring)
-        hub_forces_[index(ring)] = hub_force(lattice_, coefficients_, nodes_, rings_, ring);
+    for (int ring = 0; ring < num_released_; ++ring) {
+        hub_forces_[index(ring)] = hub_force(lattice_, coefficients_, nodes_, rings_, ring) -
+                                   hub_stiffness_ * hub_way(ring);
+    }
 }
 
 double OpeningBraid::next(double last_displacement, double force, double relative_mass) const
@@ -225,7 +237,7 @@ void OpeningBraid::move_hub(int ring)
     Vec3& displacement = hub_displacements_[index(ring)];
     const Vec3& force = hub_forces_[index(ring)];
     for (int axis = 0; axis < 3; ++axis)
-        displacement[axis] = next(displacement[axis], force[axis], lattice_.nodes_per_ring);
+        displacement[axis] = next(displacement[axis], force[axis], hub_mass_ratio());
     if (displacement.isZero(0.0)) return;
     rings_[index(ring)].origin += displacement;
     mark_ring_stale(ring);

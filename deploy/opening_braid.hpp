@@ -18,9 +18,15 @@ namespace braidzone {
 /// Every force is the component along the node's ray. A rigid wall holds the node at its stop; a
 /// compliant one pushes back with f_wall = -K (r - stop) beyond it, and never pulls.
 ///
-/// A free hub is two more coordinates in the plane of its ring, with the mass and damping of the
-/// ring's n nodes. It feels the opposite of its radial springs' forces. Nodes stay on their rays
-/// from the original hub.
+/// A hub of freedom h > 0 is two more coordinates u in the plane of its ring. It feels the opposite
+/// of its radial springs' forces and that of a spring which ties it to its place,
+///
+///     f_hub = - sum over the ring's nodes of q f(r) e_r  -  K u,   K = n c_radial (1 - h) / h
+///
+/// At h = 1 it is free; towards h = 0 it moves in proportion to h. K stands for what carries a ring
+/// beside its own springs: the rings before and behind it, and the delivery wire. Mass and damping
+/// of the hub are those of the ring's n nodes over h, so that it is no faster than a radial spring,
+/// whatever h. Nodes stay on their rays from the original hub.
 ///
 /// Quasi-static motion drops the inertia: a node moves by mobility times force, the mobility being
 /// `time_step_ratio` times the largest that is stable, 2 / omega_max^2 at unit mass.
@@ -79,6 +85,9 @@ private:
     void update_hub_forces();
     void move(Place place);
     void move_hub(int ring);
+    bool hubs_move() const { return hub_freedom_ > 0.0; }
+    double hub_mass_ratio() const { return lattice_.nodes_per_ring / hub_freedom_; }
+    Vec3 hub_way(int ring) const;
     double next(double last_displacement, double force, double relative_mass) const;
 
     const CrimpedBraid& braid_;
@@ -86,9 +95,10 @@ private:
     SpringCoefficients coefficients_;
     WallSupport support_;
     Motion motion_;
-    bool free_hubs_;
-    VerletScheme scheme_;    ///< of a node
-    double mobility_ = 0.0;  ///< displacement over force of a quasi-static step [m/N]
+    double hub_freedom_;
+    VerletScheme scheme_;         ///< of a node
+    double mobility_ = 0.0;       ///< displacement over force of a quasi-static step [m/N]
+    double hub_stiffness_ = 0.0;  ///< K [N/m]
     std::vector<CrossSection> rings_;
     std::vector<double> radii_;
     std::vector<Vec3> nodes_;            ///< [m]

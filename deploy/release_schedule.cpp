@@ -147,16 +147,24 @@ void validate(const ReleaseSchedule& schedule)
 {
     validate_windows(schedule.windows);
     validate_table(schedule.table);
+    if (!(schedule.sliding >= 0.0 && schedule.sliding <= 1.0)) {
+        throw ConfigError(fmt::format(
+            "sliding = {:.6g}; allowed are 0 (rings stay at the nominal spacing) to 1 (they take "
+            "the force-free spacing)",
+            schedule.sliding));
+    }
+    validate(schedule.twists);
+    validate(schedule.incomplete_openings);
     if (schedule.table.empty()) return;
     if (!schedule.windows.empty()) {
         throw ConfigError(
             "spacing_table is the whole schedule; push_pull cannot stand beside it: keep one of "
             "them");
     }
-    if (schedule.mode == ReleaseMode::force_free) {
+    if (schedule.sliding > 0.0) {
         throw ConfigError(
-            "spacing_table is the whole schedule; release = \"force_free\" cannot stand beside it: "
-            "keep one of them");
+            "spacing_table is the whole schedule; sliding, which release = \"force_free\" is in "
+            "full, cannot stand beside it: keep one of them");
     }
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "deploy/axial_twist.hpp"
+#include "deploy/incomplete_opening.hpp"
+
 #include <filesystem>
 #include <vector>
 
@@ -19,26 +22,28 @@ struct SpacingPoint {
     double spacing = 1.0;     ///< lambda = ring spacing / nominal [-]; > 0
 };
 
-/// Ring spacing outside the windows: nominal, or the one at which a braid of the local vessel's
-/// radius is free of force (`release_spacing.hpp`).
-enum class ReleaseMode { nominal, force_free };
-
-/// Ring spacing at release, as a function of the place on the centerline (Zavodszky et al. 2020,
-/// section 2.2: "the distance between the spring cross-section units at the moment of release").
+/// How the operator releases a device: above all the ring spacing, as a function of the place on
+/// the centerline (Zavodszky et al. 2020, section 2.2: "the distance between the spring
+/// cross-section units at the moment of release").
 struct ReleaseSchedule {
     std::vector<PushPull> windows = {};  ///< must not overlap
     /// The whole schedule as a table instead (`spacing_table.hpp`), arc lengths increasing: lambda
     /// is linear between its points and constant beyond its ends. Not together with windows or
-    /// force-free spacing.
+    /// sliding.
     std::vector<SpacingPoint> table = {};
     std::filesystem::path table_file = {};  ///< that the table was read from, for the record
-    ReleaseMode mode = ReleaseMode::nominal;
+    /// Share of the way from the nominal ring spacing, 0, to the one at which a braid of the local
+    /// vessel's radius is free of force, 1 (`release_spacing.hpp`).
+    double sliding = 0.0;
+    std::vector<AxialTwist> twists = {};
+    std::vector<IncompleteOpening> incomplete_openings = {};
 };
 
-/// Checks windows and table.
+/// Checks windows, table, twists and ends.
 /// @throws ConfigError if a window is empty or reversed, two overlap, the table's arc lengths do
-///         not increase, a spacing is not in 0.05 to 2 (windows) or 0.05 to 4 (table), or a table
-///         stands beside windows or force-free spacing
+///         not increase, a spacing is not in 0.05 to 2 (windows) or 0.05 to 4 (table), sliding is
+///         not in 0 to 1, or a table stands beside windows or sliding; what the checks of twists
+///         and incomplete openings throw
 void validate(const ReleaseSchedule& schedule);
 
 /// Arc lengths at which the rings are released [m], ring 0 (distal) first, decreasing: nominal

@@ -98,20 +98,24 @@ std::vector<double> release_positions(const FlowDiverter& device, const BraidLat
     std::vector<double> nominal;
     for (int ring = 0; ring + 1 < lattice.num_rings; ++ring)
         nominal.push_back(lattice.gap_spacing(ring));
-    if (schedule.mode == ReleaseMode::nominal)
-        return ring_positions(schedule, landing_distal, nominal);
+    if (schedule.sliding == 0.0) return ring_positions(schedule, landing_distal, nominal);
 
     ReleaseSchedule held = schedule;
     held.table =
         force_free_spacing(device, lattice, centerline, wall, schedule, landing_distal, centred);
-    if (lattice.gap_spacings.empty()) return ring_positions(held, landing_distal, nominal);
+    if (lattice.gap_spacings.empty()) {
+        for (SpacingPoint& point : held.table)
+            point.spacing = std::lerp(1.0, point.spacing, schedule.sliding);
+        return ring_positions(held, landing_distal, nominal);
+    }
     // The arms of a flare are those of the braid: where the wall holds it, it is spaced as the
     // braid is, else as at rest. Of the two radii the smaller counts, so the longer spacing.
     std::vector<double> positions = {landing_distal};
     for (const double at_rest : nominal) {
         const double place = positions.back();
-        positions.push_back(std::min(ring_positions(held, place, {lattice.ring_spacing}).back(),
-                                     ring_positions(schedule, place, {at_rest}).back()));
+        const double stuck = ring_positions(schedule, place, {at_rest}).back();
+        const double free = ring_positions(held, place, {lattice.ring_spacing}).back();
+        positions.push_back(std::lerp(stuck, std::min(free, stuck), schedule.sliding));
     }
     return positions;
 }

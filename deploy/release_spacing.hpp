@@ -43,8 +43,19 @@ std::vector<SpacingPoint> force_free_spacing(const FlowDiverter& device,
                                              bool centred);
 
 /// Arc lengths at which the rings of a device are released in a vessel [m], by its schedule:
-/// `ring_positions`, with the table above if the mode is force-free; there a ring of a flare or
-/// cone is spaced as at rest unless the wall holds it narrower.
+/// `ring_positions`, and if rings slide, with a table between the nominal spacing and the one
+/// above,
+///
+///     lambda(s) = 1 + sliding (lambda_free(s) - 1)
+///
+/// Infinite friction, sliding 0, leaves the rings where the catheter sets them down, at nominal
+/// spacing (Zavodszky et al. 2020, section 2.2). Without friction, sliding 1, no axial force
+/// remains in the braid. Between them, the share is that of the axial force of the arms which the
+/// friction at the wall could not hold: for small changes of spacing that force grows in
+/// proportion to lambda_free - lambda.
+///
+/// A ring of a flare or cone is spaced as at rest, and slides from there where the wall holds it
+/// narrower.
 std::vector<double> release_positions(const FlowDiverter& device, const BraidLattice& lattice,
                                       const Centerline& centerline, const WallTree& wall,
                                       const ReleaseSchedule& schedule, double landing_distal,

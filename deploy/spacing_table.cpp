@@ -92,7 +92,7 @@ std::vector<SpacingPoint> read_spacing_table(const std::filesystem::path& path)
     if (table.front().arc_length > table.back().arc_length)
         std::reverse(table.begin(), table.end());
     try {
-        validate(ReleaseSchedule{.windows = {}, .table = table, .mode = ReleaseMode::nominal});
+        validate(ReleaseSchedule{.windows = {}, .table = table});
     } catch (const ConfigError& error) {
         throw InputError(fmt::format("{}: {}", path.string(), error.what()));
     }

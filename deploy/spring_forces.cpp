@@ -100,9 +100,10 @@ double elastic_energy(const BraidLattice& lattice, const SpringCoefficients& coe
         for (int column = 0; column < lattice.nodes_per_ring; ++column) {
             const Vec3& node = at(ring, column);
             if (ring + 1 < lattice.num_rings) {
-                for (int step : lattice.arm_steps) {
+                for (std::size_t family : {0u, 1u}) {
                     const double stretch =
-                        (at(ring + 1, column + step) - node).norm() - lattice.arm_length;
+                        (at(ring + 1, column + lattice.arm_steps[family]) - node).norm() -
+                        lattice.rest_length(ring, family);
                     energy += 0.5 * coefficients.surface * stretch * stretch;
                 }
             }
@@ -122,20 +123,22 @@ Vec3 spring_force(const BraidLattice& lattice, const SpringCoefficients& coeffic
     const int n = lattice.nodes_per_ring;
     const std::size_t index = static_cast<std::size_t>(ring * n + column);
     const Vec3& node = nodes[index];
-    const auto arm_to = [&](int other) {
+    const auto arm_to = [&](int other, double rest_length) {
         return arm_force(node, nodes[static_cast<std::size_t>(other)], coefficients.surface,
-                         lattice.arm_length);
+                         rest_length);
+    };
+    const auto arms_before = [&](std::size_t family) {
+        return arm_to(lattice.node(ring - 1, column - lattice.arm_steps[family]),
+                      lattice.rest_length(ring - 1, family));
+    };
+    const auto arms_behind = [&](std::size_t family) {
+        return arm_to(lattice.node(ring + 1, column + lattice.arm_steps[family]),
+                      lattice.rest_length(ring, family));
     };
 
     Vec3 force = Vec3::Zero();
-    if (ring > 0) {
-        force += arm_to(lattice.node(ring - 1, column - lattice.arm_steps[1])) +
-                 arm_to(lattice.node(ring - 1, column - lattice.arm_steps[0]));
-    }
-    if (ring + 1 < lattice.num_rings) {
-        force += arm_to(lattice.node(ring + 1, column + lattice.arm_steps[1])) +
-                 arm_to(lattice.node(ring + 1, column + lattice.arm_steps[0]));
-    }
+    if (ring > 0) force += arms_before(1) + arms_before(0);
+    if (ring + 1 < lattice.num_rings) force += arms_behind(1) + arms_behind(0);
     const Vec3 outward = node - rings[static_cast<std::size_t>(ring)].origin;
     return force + lattice.area_share(ring) *
                        outward_force(spring_of_ring(lattice, coefficients, ring), outward);

@@ -40,10 +40,16 @@ Effect registration_effect();
 Effect blooming_effect();
 Effect vessel_offset_effect();
 Effect wall_compliance_effect();
+Effect vessel_straightening_effect();
 Effect landing_offset_effect();
 Effect nominal_diameter_effect();
 Effect braid_ratio_effect();
 Effect local_push_effect();
 Effect local_pull_effect();
+Effect sliding_effect();
+Effect axial_twist_effect();
+Effect incomplete_opening_proximal_effect();
+Effect incomplete_opening_distal_effect();
+Effect free_hub_effect();
 
 }  // namespace braidzone

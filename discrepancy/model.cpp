@@ -20,7 +20,7 @@ Deployment deploy_in(const Model& model, const Lumen& lumen)
 {
     DeployOptions options = model.options;
     options.num_frames = 0;
-    if (options.ring_hub == RingHub::fixed && !options.hoop_migration &&
+    if (options.hub_freedom == 0.0 && !options.hoop_migration &&
         options.axial == AxialMotion::locked) {
         options.motion = Motion::none;
         Deployment deployment = deploy_in(model, lumen, options);
@@ -30,13 +30,23 @@ Deployment deploy_in(const Model& model, const Lumen& lumen)
     return deploy_in(model, lumen, options);
 }
 
+/// In the lumen as the model changes it.
+Deployment deploy_in_changed(const Model& model, const Lumen& lumen)
+{
+    const bool is_straighter = model.straightening.share > 0.0;
+    if (model.wall_offset == 0.0 && !is_straighter) return deploy_in(model, lumen);
+    if (!is_straighter) return deploy_in(model, with_moved_wall(lumen, model.wall_offset));
+    if (model.wall_offset == 0.0)
+        return deploy_in(model, straightened_lumen(lumen, model.straightening));
+    return deploy_in(
+        model, straightened_lumen(with_moved_wall(lumen, model.wall_offset), model.straightening));
+}
+
 }  // namespace
 
 Simulation simulate(const Model& model, const Lumen& lumen)
 {
-    Deployment deployment = model.wall_offset == 0.0
-                                ? deploy_in(model, lumen)
-                                : deploy_in(model, with_moved_wall(lumen, model.wall_offset));
+    Deployment deployment = deploy_in_changed(model, lumen);
     if (!deployment.converged) {
         throw ConvergenceError(fmt::format(
             "the deployment did not come to rest in {} steps: the largest force on a free node is "

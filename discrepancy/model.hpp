@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/vessel_straightening.hpp"
 #include "deploy/deployment.hpp"
 #include "discrepancy/device_surface.hpp"
 #include "discrepancy/imaging.hpp"
@@ -15,6 +16,7 @@ struct Model {
     ReleaseSchedule schedule;
     DeployOptions options;
     double wall_offset = 0.0;  ///< by which the vessel's wall lies outside that of the lumen [m]
+    VesselStraightening straightening;  ///< of the lumen, after its wall has been moved
     Imaging imaging;
 };
 
@@ -25,7 +27,7 @@ struct Simulation {
 };
 
 /// Deploys the device of a model.
-/// @param lumen  of the case; `model.wall_offset` comes on top
+/// @param lumen  of the case; `model.wall_offset` and `model.straightening` come on top
 /// @throws ConvergenceError if the device does not come to rest; else what `deploy` throws
 Simulation simulate(const Model& model, const Lumen& lumen);
 

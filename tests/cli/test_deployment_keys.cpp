@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace braidzone {
 
 namespace {
@@ -41,7 +43,7 @@ TEST(DeploymentKeys, AreThePaperWithCrossingsByDefault)
     EXPECT_EQ(keys.options.axial, AxialMotion::locked);
     EXPECT_EQ(keys.options.release_order, ReleaseOrder::ring_by_ring);
     EXPECT_EQ(keys.options.motion, Motion::inertial);
-    EXPECT_EQ(keys.options.ring_hub, RingHub::fixed);
+    EXPECT_EQ(keys.options.hub_freedom, 0.0);
     EXPECT_FALSE(keys.options.hoop_migration);
     EXPECT_EQ(keys.options.friction, infinite_friction);
     EXPECT_EQ(keys.options.wall_stiffness, rigid_wall);
@@ -65,7 +67,7 @@ num_frames = 12
     EXPECT_EQ(options.axial, AxialMotion::free);
     EXPECT_EQ(options.release_order, ReleaseOrder::at_once);
     EXPECT_EQ(options.motion, Motion::quasi_static);
-    EXPECT_EQ(options.ring_hub, RingHub::free);
+    EXPECT_EQ(options.hub_freedom, 1.0);
     EXPECT_TRUE(options.hoop_migration);
     EXPECT_EQ(options.friction, 0.2);
     EXPECT_DOUBLE_EQ(options.wall_stiffness, 1e8);
@@ -105,6 +107,57 @@ TEST(DeploymentKeys, SuggestTheNameThatWasMeant)
     EXPECT_THAT(refusal("release_order = \"at_one\"\n"), HasSubstr("at_once"));
     EXPECT_THAT(refusal("ring_hub = \"fre\"\n"), HasSubstr("free"));
     EXPECT_THAT(refusal("axial = \"loked\"\n"), HasSubstr("locked"));
+}
+
+TEST(DeploymentKeys, NameTheShareOfASwitchOrAnEndOfIt)
+{
+    EXPECT_EQ(read("hub_freedom = 0.3\n").options.hub_freedom, 0.3);
+    EXPECT_EQ(read("ring_hub = \"free\"\n").options.hub_freedom, 1.0);
+    EXPECT_EQ(read("sliding = 0.25\n").schedule.sliding, 0.25);
+    EXPECT_THAT(refusal("sliding = 1.5\n"),
+                HasSubstr("deployment.sliding = 1.5 is out of range; allowed are 0 (nominal) to 1 "
+                          "(force_free)"));
+    EXPECT_THAT(refusal("hub_freedom = -0.1\n"), HasSubstr("allowed are 0 (fixed) to 1 (free)"));
+    EXPECT_THAT(refusal("sliding = 0.5\nrelease = \"nominal\"\n"),
+                HasSubstr("deployment.sliding = 0.5 stands beside release"));
+}
+
+TEST(DeploymentKeys, ReadTwistsAndIncompleteOpenings)
+{
+    const ReleaseSchedule schedule = read(R"([[deployment.twist]]
+angle = "90 deg"
+centre = "12 mm"
+half_width = "2.5 mm"
+[[deployment.incomplete_opening]]
+length = "3 mm"
+shrink = 0.2
+[[deployment.incomplete_opening]]
+end = "distal"
+length = "2 mm"
+shrink = 0.1
+)")
+                                         .schedule;
+    ASSERT_EQ(schedule.twists.size(), 1u);
+    EXPECT_DOUBLE_EQ(schedule.twists[0].angle, 0.5 * std::numbers::pi);
+    EXPECT_DOUBLE_EQ(schedule.twists[0].centre, 12e-3);
+    EXPECT_DOUBLE_EQ(schedule.twists[0].half_width, 2.5e-3);
+    ASSERT_EQ(schedule.incomplete_openings.size(), 2u);
+    EXPECT_EQ(schedule.incomplete_openings[0].end, DeviceEnd::proximal);
+    EXPECT_DOUBLE_EQ(schedule.incomplete_openings[0].length, 3e-3);
+    EXPECT_EQ(schedule.incomplete_openings[1].end, DeviceEnd::distal);
+    EXPECT_EQ(schedule.incomplete_openings[1].shrink, 0.1);
+}
+
+TEST(DeploymentKeys, RefuseTwistsAndIncompleteOpeningsThatCannotBe)
+{
+    EXPECT_THAT(refusal("[[deployment.twist]]\nangle = \"90 deg\"\ncentre = \"12 mm\"\n"
+                        "half_width = \"0 mm\"\n"),
+                HasSubstr("deployment.twist: twist: half_width = 0 mm; it must be positive"));
+    EXPECT_THAT(refusal("[[deployment.incomplete_opening]]\nlength = \"3 mm\"\nshrink = 1.2\n"),
+                HasSubstr("deployment.incomplete_opening: incomplete_opening: shrink = 1.2"));
+    EXPECT_THAT(refusal("[[deployment.incomplete_opening]]\nend = \"distl\"\nlength = \"3 mm\"\n"
+                        "shrink = 0.2\n"),
+                HasSubstr("did you mean \"distal\""));
 }
 
 }  // namespace braidzone

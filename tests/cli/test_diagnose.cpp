@@ -177,6 +177,34 @@ TEST(CaseFile, ReadsTheImagingAndTheWallOffset)
     }
 }
 
+TEST(CaseFile, ReadsTheStraighteningOfTheVessel)
+{
+    const test::TemporaryFolder folder;
+    const auto read = [&](const std::string& keys) {
+        return read_case(case_with(folder, "[vessel.straightening]\n" + keys)).vessel.straightening;
+    };
+    const std::string window = "share = 0.3\ncentre = \"15 mm\"\nhalf_width = \"8 mm\"\n";
+    const VesselStraightening found = read(window + "kept_from = \"5 mm\"\nkept_to = \"25 mm\"\n");
+    EXPECT_EQ(found.share, 0.3);
+    EXPECT_DOUBLE_EQ(found.centre, 15e-3);
+    EXPECT_DOUBLE_EQ(found.half_width, 8e-3);
+    EXPECT_DOUBLE_EQ(found.kept_from, 5e-3);
+    EXPECT_DOUBLE_EQ(found.kept_to, 25e-3);
+    EXPECT_EQ(read(window).kept_to, 0.0);
+    const auto refusal = [&](const std::string& keys) -> std::string {
+        try {
+            read(keys);
+        } catch (const ConfigError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    EXPECT_THAT(refusal(window + "kept_from = \"5 mm\"\n"),
+                HasSubstr("straightening.kept_from is given without its counterpart"));
+    EXPECT_THAT(refusal("share = 1.3\ncentre = \"15 mm\"\nhalf_width = \"8 mm\"\n"),
+                HasSubstr("vessel.straightening: straightening: share = 1.3; allowed are 0"));
+}
+
 // Each effect of the catalogue reaches the case file: the case with it differs in the effect's own
 // keys, and reads back to the same model.
 TEST(EffectCase, HoldsEveryEffectInItsOwnKeys)
@@ -188,6 +216,7 @@ TEST(EffectCase, HoldsEveryEffectInItsOwnKeys)
                     .landing_distal = 25e-3,
                     .schedule = job.schedule,
                     .options = job.deployment,
+                    .straightening = {},
                     .imaging = {}};
     setting.from = 5e-3;
     setting.to = 25e-3;
@@ -200,7 +229,13 @@ TEST(EffectCase, HoldsEveryEffectInItsOwnKeys)
         {"nominal_diameter", "device.diameter: "},
         {"braid_ratio", "device.braid_ratio: "},
         {"local_push", "deployment.push_pull.0."},
-        {"local_pull", "deployment.push_pull.0."}};
+        {"local_pull", "deployment.push_pull.0."},
+        {"vessel_straightening", "vessel.straightening."},
+        {"sliding", "deployment.sliding: "},
+        {"axial_twist", "deployment.twist.0."},
+        {"incomplete_opening_proximal", "deployment.incomplete_opening.0."},
+        {"incomplete_opening_distal", "deployment.incomplete_opening.0."},
+        {"free_hub", "deployment.hub_freedom: "}};
     for (const Effect& effect : effect_catalogue()) {
         FittedEffect fitted;
         fitted.name = effect.name;

@@ -50,15 +50,15 @@ protected:
 TEST_F(ReleaseKeys, AreNominalByDefault)
 {
     const Case job = read("", "");
-    EXPECT_EQ(job.schedule.mode, ReleaseMode::nominal);
+    EXPECT_EQ(job.schedule.sliding, 0.0);
     EXPECT_TRUE(job.schedule.table.empty());
 }
 
 TEST_F(ReleaseKeys, ReadTheModeAndKeepIt)
 {
     const Case job = read("", "release = \"force_free\"\n");
-    EXPECT_EQ(job.schedule.mode, ReleaseMode::force_free);
-    EXPECT_EQ(again(job).schedule.mode, ReleaseMode::force_free);
+    EXPECT_EQ(job.schedule.sliding, 1.0);
+    EXPECT_EQ(again(job).schedule.sliding, 1.0);
     EXPECT_EQ(message("release = \"forcefree\"\n"),
               "case.toml:10: deployment.release = \"forcefree\" is not known; did you mean "
               "\"force_free\"?");
@@ -78,8 +78,8 @@ TEST_F(ReleaseKeys, RefuseATableBesideAnotherSchedule)
 {
     EXPECT_EQ(
         message("spacing_table = \"spacing.csv\"\nrelease = \"force_free\"\n"),
-        "case.toml:10: deployment.spacing_table: spacing_table is the whole schedule; release "
-        "= \"force_free\" cannot stand beside it: keep one of them");
+        "case.toml:10: deployment.spacing_table: spacing_table is the whole schedule; sliding, "
+        "which release = \"force_free\" is in full, cannot stand beside it: keep one of them");
     EXPECT_EQ(message("spacing_table = \"spacing.csv\"\n[[deployment.push_pull]]\n"
                       "from = \"1 mm\"\nto = \"2 mm\"\nspacing = 0.5\n"),
               "case.toml:10: deployment.spacing_table: spacing_table is the whole schedule; "

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace braidzone {
@@ -53,8 +54,8 @@ std::vector<DeployOptions> motions()
 {
     std::vector<DeployOptions> result(4);
     result[1].motion = Motion::quasi_static;
-    result[2].ring_hub = RingHub::free;
-    result[3].ring_hub = RingHub::free;
+    result[2].hub_freedom = 1.0;
+    result[3].hub_freedom = 1.0;
     result[3].motion = Motion::quasi_static;
     return result;
 }
@@ -160,7 +161,7 @@ TEST(OpeningBraid, ShiftsAFreeHubTowardsTheOpenSide)
     const WallSupport support = open_to_one_side(crimped);
     DeployOptions options;
     OpeningBraid fixed = released(crimped, support, options);
-    options.ring_hub = RingHub::free;
+    options.hub_freedom = 1.0;
     OpeningBraid free = released(crimped, support, options);
     for (int i = 0; i < 6000; ++i) {
         fixed.step();
@@ -178,6 +179,36 @@ TEST(OpeningBraid, ShiftsAFreeHubTowardsTheOpenSide)
     }
     EXPECT_GT(furthest_free, furthest_fixed + 10e-6);
     EXPECT_LT(free.largest_residual(), 1e-4 * 0.01885 * 2e-3);
+}
+
+// A tied hub rests where its spring bears what the ring's springs press on it with, and moves in
+// proportion to its freedom where that is small.
+TEST(OpeningBraid, TiesAHubByItsSpring)
+{
+    const CrimpedBraid crimped = crimped_on_axis();
+    const WallSupport support = open_to_one_side(crimped);
+    const int ring = crimped.lattice.num_rings / 2;
+    const auto index = static_cast<std::size_t>(ring);
+    DeployOptions options;
+    const SpringCoefficients c =
+        spring_coefficients(short_device(), crimped.lattice, options.bending_ratio);
+    std::map<double, double> shift;
+    for (const double freedom : {0.01, 0.02, 0.5, 0.9, 1.0}) {
+        options.hub_freedom = freedom;
+        OpeningBraid braid = released(crimped, support, options);
+        for (int i = 0; i < 6000; ++i)
+            braid.step();
+        braid.update_all_forces();
+        EXPECT_LT(braid.largest_residual(), 1e-4 * 0.01885 * 2e-3) << freedom;
+        shift[freedom] = (braid.rings()[index].origin - crimped.rings[index].origin).x();
+        const double press = hub_force(crimped.lattice, c, braid.nodes(), braid.rings(), ring).x();
+        const double stiffness = 24 * radial_stiffness(c.radial) * (1.0 - freedom) / freedom;
+        EXPECT_NEAR(stiffness * shift[freedom], press, 1e-4 * 0.01885 * 2e-3) << freedom;
+    }
+    EXPECT_GT(shift[0.01], 0.1e-6);
+    EXPECT_NEAR(shift[0.02] / shift[0.01], 2.0, 0.04);
+    EXPECT_LT(shift[0.5], shift[0.9]);
+    EXPECT_LT(shift[0.9], shift[1.0]);
 }
 
 // Braids narrower than nominal fold without bending stiffness, which adds nothing where the radius

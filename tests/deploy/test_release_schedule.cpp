@@ -104,15 +104,23 @@ TEST(Validate, RefusesATableBesideAnotherSchedule)
 {
     ReleaseSchedule schedule{.windows = {}, .table = {{0.0, 1.0}, {10e-3, 1.5}}};
     EXPECT_EQ(refusal(schedule), "accepted");
-    schedule.mode = ReleaseMode::force_free;
+    schedule.sliding = 1.0;
     EXPECT_EQ(refusal(schedule),
-              "spacing_table is the whole schedule; release = \"force_free\" cannot stand beside "
-              "it: keep one of them");
-    schedule.mode = ReleaseMode::nominal;
+              "spacing_table is the whole schedule; sliding, which release = \"force_free\" is in "
+              "full, cannot stand beside it: keep one of them");
+    schedule.sliding = 0.0;
     schedule.windows = {{.from = 1e-3, .to = 2e-3, .spacing = 0.5}};
     EXPECT_EQ(refusal(schedule),
               "spacing_table is the whole schedule; push_pull cannot stand beside it: keep one of "
               "them");
+}
+
+TEST(Validate, RefusesASlidingThatIsNoShare)
+{
+    EXPECT_EQ(refusal({.sliding = 0.3}), "accepted");
+    EXPECT_EQ(refusal({.sliding = 1.1}),
+              "sliding = 1.1; allowed are 0 (rings stay at the nominal spacing) to 1 (they take "
+              "the force-free spacing)");
 }
 
 TEST(Validate, RefusesATableThatIsNoFunctionOfPlace)

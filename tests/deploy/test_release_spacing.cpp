@@ -64,9 +64,9 @@ TEST(ReleasePositions, AreTheClosedFormInAStraightTube)
     const WallTree wall(vessel);
     const Centerline centerline = test::tube_centerline(1.75e-3, 50e-3);
     for (const bool centred : {false, true}) {
-        const auto positions = release_positions(
-            device, lattice, centerline, wall,
-            {.windows = {}, .table = {}, .mode = ReleaseMode::force_free}, 45e-3, centred);
+        const auto positions =
+            release_positions(device, lattice, centerline, wall,
+                              {.windows = {}, .table = {}, .sliding = 1.0}, 45e-3, centred);
         const double nominal = lattice.ring_spacing * (lattice.num_rings - 1);
         EXPECT_NEAR((positions.front() - positions.back()) / nominal, 1.5700, 4e-4);
         EXPECT_EQ(positions.front(), 45e-3);
@@ -77,15 +77,50 @@ TEST(ReleasePositions, AreTheClosedFormInAStraightTube)
     }
 }
 
+// Half-way between nominal and force-free: 1 + 0.57 / 2.
+TEST(ReleasePositions, LieBetweenNominalAndForceFreeWhereRingsSlideInPart)
+{
+    const FlowDiverter device = test::pipeline_4x20();
+    const BraidLattice lattice = make_lattice(device);
+    const WallTree wall(test::tube_vessel(1.75e-3, 50e-3, sides, 10));
+    const Centerline centerline = test::tube_centerline(1.75e-3, 50e-3);
+    const auto length_over_nominal = [&](double sliding) {
+        const auto positions = release_positions(device, lattice, centerline, wall,
+                                                 {.sliding = sliding}, 45e-3, false);
+        return (positions.front() - positions.back()) /
+               (lattice.ring_spacing * (lattice.num_rings - 1));
+    };
+    EXPECT_NEAR(length_over_nominal(0.0), 1.0, 1e-12);
+    EXPECT_NEAR(length_over_nominal(0.5), 1.2850, 2e-4);
+    EXPECT_NEAR(length_over_nominal(1e-3), 1.00057, 1e-6);
+}
+
+// The rings of a flare are at rest until they slide, and force-free in the end.
+TEST(ReleasePositions, SlideFromTheRestingSpacingOfAFlare)
+{
+    FlowDiverter device = test::pipeline_4x20();
+    device.proximal_flare = 0.1e-3;
+    device.flare_length = 4e-3;
+    const BraidLattice lattice = make_lattice(device);
+    const WallTree wall(test::tube_vessel(1.75e-3, 50e-3, sides, 10));
+    const Centerline centerline = test::tube_centerline(1.75e-3, 50e-3);
+    const auto end = [&](double sliding) {
+        return release_positions(device, lattice, centerline, wall, {.sliding = sliding}, 45e-3,
+                                 false)
+            .back();
+    };
+    EXPECT_NEAR(end(1e-6), end(0.0), 20e-3 * 1e-6);
+    EXPECT_NEAR(end(0.5), 0.5 * (end(0.0) + end(1.0)), 1e-9);
+}
+
 TEST(ReleasePositions, MultiplyTheForceFreeSpacingByTheWindows)
 {
     const FlowDiverter device = test::pipeline_4x20();
     const BraidLattice lattice = make_lattice(device);
     const Vessel vessel = test::tube_vessel(1.75e-3, 50e-3, sides, 10);
     const WallTree wall(vessel);
-    const ReleaseSchedule push{.windows = {{.from = 10e-3, .to = 40e-3, .spacing = 0.5}},
-                               .table = {},
-                               .mode = ReleaseMode::force_free};
+    const ReleaseSchedule push{
+        .windows = {{.from = 10e-3, .to = 40e-3, .spacing = 0.5}}, .table = {}, .sliding = 1.0};
     const auto positions = release_positions(device, lattice, test::tube_centerline(1.75e-3, 50e-3),
                                              wall, push, 45e-3, false);
     const double nominal = lattice.ring_spacing * (lattice.num_rings - 1);
@@ -107,9 +142,9 @@ TEST(ReleasePositions, ConvergeAtSecondOrderInACone)
         device.num_wires = num_wires;
         const BraidLattice lattice = make_lattice(device);
         const double landing = 36e-3;
-        const auto positions = release_positions(
-            device, lattice, centerline, wall,
-            {.windows = {}, .table = {}, .mode = ReleaseMode::force_free}, landing, false);
+        const auto positions =
+            release_positions(device, lattice, centerline, wall,
+                              {.windows = {}, .table = {}, .sliding = 1.0}, landing, false);
         const double braid = lattice.ring_spacing * (lattice.num_rings - 1);
         const double t = device.braid_ratio, w = std::sqrt(1.0 + t * t);
         // Of the prism that stands for the cone: the rays meet it between its corners.
@@ -133,9 +168,9 @@ TEST(ReleasePositions, GoOnBeyondTheCenterline)
     const BraidLattice lattice = make_lattice(device);
     const Vessel vessel = test::tube_vessel(1.75e-3, 20e-3, sides, 10);
     const WallTree wall(vessel);
-    const auto positions = release_positions(
-        device, lattice, test::tube_centerline(1.75e-3, 20e-3), wall,
-        {.windows = {}, .table = {}, .mode = ReleaseMode::force_free}, 15e-3, false);
+    const auto positions =
+        release_positions(device, lattice, test::tube_centerline(1.75e-3, 20e-3), wall,
+                          {.windows = {}, .table = {}, .sliding = 1.0}, 15e-3, false);
     EXPECT_LT(positions.back(), -10e-3);
 }
 

@@ -197,11 +197,12 @@ TEST(HubForce, IsMinusTheGradientOfTheEnergyInThePlaneOfTheRing)
     }
 }
 
+namespace {
+
 // Central differences of the energy: their error is of second order in the step, so that it falls
 // by four when the step is halved.
-TEST(SpringForce, IsMinusTheGradientOfTheEnergy)
+void expect_force_minus_gradient(Braid braid)
 {
-    Braid braid = straight_braid(1.7e-3, 0.8);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> shift(-2e-5, 2e-5);
     for (Vec3& node : braid.nodes)
@@ -232,6 +233,24 @@ TEST(SpringForce, IsMinusTheGradientOfTheEnergy)
     const double coarse = largest_error(2e-5), fine = largest_error(1e-5);
     EXPECT_NEAR(coarse / fine, 4.0, 0.2);
     EXPECT_LT(fine, 1e-3 * 0.6 * braid.lattice.arm_length);
+}
+
+}  // namespace
+
+TEST(SpringForce, IsMinusTheGradientOfTheEnergy)
+{
+    expect_force_minus_gradient(straight_braid(1.7e-3, 0.8));
+}
+
+// Arms of each family and gap with their own lengths, as in a twisted braid.
+TEST(SpringForce, IsMinusTheGradientOfTheEnergyWithUnlikeArms)
+{
+    Braid braid = straight_braid(1.7e-3, 0.8);
+    for (int ring = 0; ring + 1 < braid.lattice.num_rings; ++ring) {
+        braid.lattice.arm_lengths.push_back({(0.95 + 0.01 * ring) * braid.lattice.arm_length,
+                                             (1.05 - 0.005 * ring) * braid.lattice.arm_length});
+    }
+    expect_force_minus_gradient(braid);
 }
 
 // sqrt((8 * 0.6 + 0.1 + 32 * 0.3) / 2) by hand.

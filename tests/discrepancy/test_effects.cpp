@@ -51,7 +51,7 @@ TEST(EffectCatalogue, HasStartsWithinTheBounds)
             }
         }
     }
-    EXPECT_EQ(names.size(), 9u);
+    EXPECT_EQ(names.size(), 15u);
 }
 
 TEST(Effects, ChangeTheirOwnKeyAndNothingElse)
@@ -69,6 +69,56 @@ TEST(Effects, ChangeTheirOwnKeyAndNothingElse)
     EXPECT_EQ(moved.imaging.shift, Vec3(1e-3, 0.0, 0.0));
     EXPECT_EQ(moved.imaging.rotation, Vec3(0.0, 0.1, 0.0));
     EXPECT_DOUBLE_EQ(moved.device.nominal_diameter, 4e-3);
+    EXPECT_DOUBLE_EQ(with("sliding", {0.3}).schedule.sliding, 0.3);
+    EXPECT_DOUBLE_EQ(with("free_hub", {0.6}).options.hub_freedom, 0.6);
+}
+
+TEST(Effects, ConeAtEitherEnd)
+{
+    for (const auto& [name, end] : {std::pair{"incomplete_opening_proximal", DeviceEnd::proximal},
+                                    {"incomplete_opening_distal", DeviceEnd::distal}}) {
+        const auto cones = with(name, {0.2, 3e-3}).schedule.incomplete_openings;
+        ASSERT_EQ(cones.size(), 1u);
+        EXPECT_EQ(cones[0].end, end);
+        EXPECT_DOUBLE_EQ(cones[0].shrink, 0.2);
+        EXPECT_DOUBLE_EQ(cones[0].length, 3e-3);
+        EXPECT_TRUE(with(name, {0.0, 3e-3}).schedule.incomplete_openings.empty());
+    }
+    EffectSetting open = setting();
+    open.base.schedule.incomplete_openings = {{DeviceEnd::distal, 2e-3, 0.1}};
+    EXPECT_THROW(effect("incomplete_opening_distal").apply(open, {0.2, 3e-3}), ConfigError);
+    EXPECT_EQ(effect("incomplete_opening_proximal")
+                  .apply(open, {0.2, 3e-3})
+                  .schedule.incomplete_openings.size(),
+              2u);
+}
+
+TEST(Effects, TwistOverAStretch)
+{
+    const auto twists = with("axial_twist", {1.5, 12e-3, 2.5e-3}).schedule.twists;
+    ASSERT_EQ(twists.size(), 1u);
+    EXPECT_DOUBLE_EQ(twists[0].angle, 1.5);
+    EXPECT_DOUBLE_EQ(twists[0].centre, 12e-3);
+    EXPECT_DOUBLE_EQ(twists[0].half_width, 2.5e-3);
+    EXPECT_TRUE(with("axial_twist", {0.0, 12e-3, 2.5e-3}).schedule.twists.empty());
+}
+
+// The vessel over the device as a whole stays where it was, wherever the window is.
+TEST(Effects, StraightenTheVesselAroundTheDevice)
+{
+    const VesselStraightening straightening =
+        with("vessel_straightening", {0.4, 12e-3, 6e-3}).straightening;
+    EXPECT_DOUBLE_EQ(straightening.share, 0.4);
+    EXPECT_DOUBLE_EQ(straightening.centre, 12e-3);
+    EXPECT_DOUBLE_EQ(straightening.half_width, 6e-3);
+    EXPECT_DOUBLE_EQ(straightening.kept_from, 5e-3);
+    EXPECT_DOUBLE_EQ(straightening.kept_to, 25e-3);
+    EffectSetting straight = setting();
+    straight.base.straightening = straightening;
+    EXPECT_THROW(effect("vessel_straightening").apply(straight, {0.1, 12e-3, 6e-3}), ConfigError);
+    EXPECT_EQ(
+        effect("vessel_straightening").apply(straight, {0.0, 12e-3, 6e-3}).straightening.share,
+        0.4);
 }
 
 TEST(Effects, PushOverAStretch)

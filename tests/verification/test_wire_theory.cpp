@@ -27,8 +27,7 @@ namespace {
 /// share of the length, are 2 % of it.
 constexpr double length_over_diameter = 2.5;
 
-const ReleaseSchedule force_free{
-    .windows = {}, .table = {}, .table_file = {}, .mode = ReleaseMode::force_free};
+const ReleaseSchedule force_free{.windows = {}, .table = {}, .table_file = {}, .sliding = 1.0};
 
 /// A device of the library with forces from its wires.
 FlowDiverter library_device(const std::string& name, double diameter)

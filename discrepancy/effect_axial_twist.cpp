@@ -1,0 +1,56 @@
+#include "discrepancy/effect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace braidzone {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double start_half_width = 2.5e-3;
+/// Between starts [m]: a waist is found from half its width away.
+constexpr double start_distance = 2.5e-3;
+
+}  // namespace
+
+/// The device was twisted at its release: torque of the delivery wire.
+///
+/// Over a stretch the rings are turned against each other, and the braid narrows to a waist
+/// (`axial_twist.hpp`), seen where the waist is narrower than the vessel. Only the size of the
+/// angle shows in the surface. Prior of the angle 100 degrees: it takes 110 degrees over 5 mm until
+/// a 4 mm braid that is 10 % oversized leaves the wall, and more than 180 degrees over 4 mm would
+/// lay one family of wires along the vessel. Key: deployment.twist.
+Effect axial_twist_effect()
+{
+    const auto parameters = [](const EffectSetting& setting) {
+        EffectParameter half_width = normal_parameter("half_width", "mm", 2.5e-3, 1e-3, 2e-3, 6e-3);
+        half_width.step = 0.2e-3;
+        return std::vector<EffectParameter>{
+            normal_parameter("angle", "deg", 0.0, 100.0 * degree, 0.0, 180.0 * degree),
+            uniform_parameter("centre", "mm", setting.from, setting.to, 0.2e-3), half_width};
+    };
+    const auto starts = [](const EffectSetting& setting) {
+        const double first = setting.from + start_half_width, last = setting.to - start_half_width;
+        const int gaps =
+            std::max(1, static_cast<int>(std::lround((last - first) / start_distance)));
+        std::vector<std::vector<double>> all;
+        for (const double angle : {100.0 * degree, 150.0 * degree}) {
+            for (int i = 0; i <= gaps; ++i)
+                all.push_back({angle, first + (last - first) * i / gaps, start_half_width});
+        }
+        return all;
+    };
+    const auto apply = [](const EffectSetting& setting, const std::vector<double>& x) {
+        Model model = setting.base;
+        if (x[0] == 0.0) return model;
+        model.schedule.twists.push_back({.angle = x[0], .centre = x[1], .half_width = x[2]});
+        return model;
+    };
+    return {"axial_twist", "the device was twisted",
+            true,          "a map of the braid angle, or a projection that shows single wires",
+            parameters,    starts,
+            apply};
+}
+
+}  // namespace braidzone
