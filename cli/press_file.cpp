@@ -31,6 +31,12 @@ PressBench read_bench(const TomlTable& table)
     return bench;
 }
 
+PressReading read_reading(const TomlTable& table)
+{
+    return {table.quantity_or("zero_offset", Dimension::length, 0.0),
+            table.number_or("stiffening", 0.0)};
+}
+
 PressOptions read_options(const TomlTable& table)
 {
     PressOptions options;
@@ -42,6 +48,13 @@ PressOptions read_options(const TomlTable& table)
         integer_in_range(table, "nodes_per_ring", options.nodes_per_ring, 0, 100);
     options.bending_ratio = require_not_negative(
         table, "bending_ratio", table.number_or("bending_ratio", options.bending_ratio));
+    options.surface_factor =
+        require_positive(table, "surface_factor", table.number_or("surface_factor", 1.0));
+    options.radial_factor =
+        require_positive(table, "radial_factor", table.number_or("radial_factor", 1.0));
+    options.friction =
+        require_not_negative(table, "friction", table.number_or("friction", options.friction));
+    options.reading = read_reading(table);
     options.residual_tolerance =
         require_positive(table, "residual_tolerance",
                          table.number_or("residual_tolerance", options.residual_tolerance), 1.0);

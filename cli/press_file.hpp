@@ -18,8 +18,8 @@ struct PressFile {
 
 /// Reads a press test: [device] as in a case file, and [press] with `notch_width`, `notch_angle`,
 /// `edge_radius`, `head` ("cylinder" or "flat"), `head_radius`, `stroke`, `step`, `load_step`,
-/// `nodes_per_ring`, `bending_ratio`, `residual_tolerance`; all of [press] has defaults
-/// (`PressOptions`).
+/// `nodes_per_ring`, `bending_ratio`, `residual_tolerance`, `friction`, `surface_factor`,
+/// `radial_factor`, `zero_offset`, `stiffening`; all of [press] has defaults (`PressOptions`).
 ///
 /// @param overrides  "section.key=value", which win over the file
 /// @throws IoError if the file cannot be read; ConfigError, with file, line and key, for anything
