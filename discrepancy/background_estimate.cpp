@@ -1,5 +1,7 @@
 #include "discrepancy/background_estimate.hpp"
 
+#include "discrepancy/whitening.hpp"
+
 #include <cmath>
 
 namespace braidzone {

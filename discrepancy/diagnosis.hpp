@@ -2,13 +2,12 @@
 
 #include "deploy/neck.hpp"
 #include "discrepancy/discrepancy_clusters.hpp"
-#include "discrepancy/effect_fit.hpp"
+#include "discrepancy/effect.hpp"
+#include "discrepancy/explanation.hpp"
 #include "discrepancy/gap.hpp"
-#include "discrepancy/verdict.hpp"
+#include "discrepancy/held_out.hpp"
 
-#include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace braidzone {
@@ -17,13 +16,7 @@ struct DiagnoseOptions {
     NoiseFloor floor;
     PatchOptions patches;
     ClusterOptions clusters;
-    FitOptions fit;
-    VerdictOptions verdict;
-    /// How wrong an effect's shape may be, over its size: what is left of it must not be taken for
-    /// a second effect.
-    double implementation_error = 0.2;
-    /// Told of what is going on, from any thread, one call at a time.
-    std::function<void(const std::string&)> on_progress = {};
+    ExplainOptions explain;
 };
 
 /// Shares of a cluster's area in parts of the device.
@@ -39,24 +32,15 @@ struct Diagnosis {
     std::vector<WallOpening> openings = {};
     Observations observations;
     ErrorModel error = {};
-    Eigen::VectorXd base_residuals = {};    ///< [m]
     DiscrepancyMap map = {};                ///< of the case as it is
     std::vector<ClusterPlace> places = {};  ///< of its clusters
-    double chi_square = 0.0;                ///< without an effect
-    std::vector<EffectFit> fits = {};       ///< in the catalogue's order
-    std::vector<NamedEvidence> named = {};  ///< of the effects that could be simulated
-    double log_evidence_unknown = 0.0;
-    double log_evidence_scalars = 0.0;  ///< `unknown_scalars_evidence`
-    Verdict verdict = {};
-    /// The first effect of the verdict, in `fits`; none if it names no effect.
-    std::optional<std::size_t> best = {};
-    std::optional<Model> after = {};  ///< the base model with that effect
+    Explanation explanation = {};           ///< residuals in [m]
+    std::optional<Model> after = {};        ///< the base model with the best answer's effects
     std::optional<DiscrepancyMap> map_after = {};
-    Eigen::VectorXd unexplained = {};  ///< mean of the unknown effect besides it [m]
-    std::vector<int> zone = {};        ///< patches that the effect moves, or of the clusters
+    std::vector<int> zone = {};  ///< patches that the effects move, or of the clusters
     GapComparison everywhere = {}, in_zone = {};
-    double background = 1.0;  ///< `background_scale` of the best model
-    int num_runs = 0;         ///< deployments
+    HeldOutGap held_out = {};  ///< in the folds of `surface_folds`
+    double background = 1.0;   ///< `background_scale` of the best model
 };
 
 /// Finds where a measured device differs from the simulated one, and which effect explains it.

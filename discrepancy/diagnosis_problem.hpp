@@ -44,6 +44,9 @@ struct DiagnosisProblem {
     std::function<Eigen::VectorXd(const std::vector<ActiveEffect>&)> residuals;
     /// Of the residuals where no effect is missing: noise, imperfections, nuisances marginalised.
     Eigen::MatrixXd covariance;
+    /// The part of the covariance that is nobody's model error, such as the scan's registration: it
+    /// is taken out of a gap. Empty for none.
+    Eigen::MatrixXd nuisance;
     /// Between the field's residuals, in the unit of its coordinate.
     Eigen::MatrixXd distances;
     /// Distance over which the error of an effect's implementation stays alike.

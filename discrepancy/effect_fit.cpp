@@ -1,184 +1,80 @@
 #include "discrepancy/effect_fit.hpp"
 
-#include "core/error.hpp"
 #include "discrepancy/laplace_evidence.hpp"
 
 #include <Eigen/Dense>
 #include <ceres/ceres.h>
-#include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 
 namespace braidzone {
 namespace {
 
+/// A start that takes less off the misfit is not worth a fit.
+constexpr double least_reduction = 2.0;
+/// A start from which the linearised problem takes less off half the misfit is left where it is.
+constexpr double least_promise = 1.0;
+
 std::size_t index(Eigen::Index i)
 {
     return static_cast<std::size_t>(i);
 }
 
-/// An effect's residuals as a function of its scaled parameters; remembers what it has computed.
-class EffectResiduals {
-public:
-    EffectResiduals(const Effect& effect, const FitProblem& problem)
-        : effect_(effect), problem_(problem), parameters_(effect.parameters(problem.setting))
-    {
-    }
-
-    const std::vector<EffectParameter>& parameters() const { return parameters_; }
-    Eigen::Index size() const { return static_cast<Eigen::Index>(parameters_.size()); }
-
-    std::vector<double> values(const Eigen::VectorXd& x) const
-    {
-        std::vector<double> values;
-        for (Eigen::Index i = 0; i < x.size(); ++i) {
-            const EffectParameter& p = parameters_[index(i)];
-            values.push_back(std::clamp(p.prior_mean + p.prior_sd * x[i], p.lower, p.upper));
-        }
-        return values;
-    }
-
-    Eigen::VectorXd scaled(const std::vector<double>& values) const
-    {
-        Eigen::VectorXd x(size());
-        for (Eigen::Index i = 0; i < x.size(); ++i) {
-            const EffectParameter& p = parameters_[index(i)];
-            x[i] = (std::clamp(values[index(i)], p.lower, p.upper) - p.prior_mean) / p.prior_sd;
-        }
-        return x;
-    }
-
-    double upper(Eigen::Index i) const
-    {
-        const EffectParameter& p = parameters_[index(i)];
-        return (p.upper - p.prior_mean) / p.prior_sd;
-    }
-
-    /// Residuals [m] at several places, in parallel. An empty vector where the effect cannot be
-    /// simulated.
-    std::vector<Eigen::VectorXd> at(const std::vector<Eigen::VectorXd>& places)
-    {
-        std::vector<Eigen::VectorXd> results(places.size());
-        std::vector<std::string> failures(places.size());
-        std::vector<char> is_new(places.size(), 0);
-        tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
-            const auto known = known_.find(values(places[i]));
-            if (known != known_.end()) {
-                results[i] = known->second;
-                return;
-            }
-            is_new[i] = 1;
-            try {
-                results[i] = residuals_of(effect_.apply(problem_.setting, values(places[i])),
-                                          effect_.changes_deployment, problem_);
-            } catch (const Error& error) {
-                failures[i] = error.what();
-            }
-        });
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            if (!is_new[i]) continue;
-            num_runs_ += effect_.changes_deployment ? 1 : 0;
-            if (results[i].size() > 0) {
-                known_.emplace(values(places[i]), results[i]);
-            } else {
-                failure_ = failures[i];
-            }
-        }
-        return results;
-    }
-
-    /// Whitened residuals and their derivatives by the scaled parameters, from one side, towards
-    /// the inside of the bounds. None where the effect cannot be simulated.
-    std::optional<std::pair<Eigen::VectorXd, Eigen::MatrixXd>> with_derivatives(
-        const Eigen::VectorXd& x)
-    {
-        std::vector<Eigen::VectorXd> places = {x};
-        for (Eigen::Index i = 0; i < x.size(); ++i) {
-            const double step = parameters_[index(i)].step / parameters_[index(i)].prior_sd;
-            Eigen::VectorXd moved = x;
-            moved[i] += x[i] + step > upper(i) ? -step : step;
-            places.push_back(moved);
-        }
-        const std::vector<Eigen::VectorXd> results = at(places);
-        if (results.front().size() == 0) return std::nullopt;
-        const Eigen::VectorXd here = problem_.whitening(results.front());
-        Eigen::MatrixXd derivatives(here.size(), x.size());
-        for (Eigen::Index i = 0; i < x.size(); ++i) {
-            const Eigen::VectorXd& there = results[index(i) + 1];
-            if (there.size() == 0) return std::nullopt;
-            derivatives.col(i) =
-                (problem_.whitening(there) - here) / (places[index(i) + 1][i] - x[i]);
-        }
-        return std::pair{here, derivatives};
-    }
-
-    std::optional<Eigen::VectorXd> whitened(const Eigen::VectorXd& x)
-    {
-        const Eigen::VectorXd result = at({x}).front();
-        if (result.size() == 0) return std::nullopt;
-        return problem_.whitening(result);
-    }
-
-    int num_runs() const { return num_runs_; }
-    const std::string& failure() const { return failure_; }
-
-private:
-    const Effect& effect_;
-    const FitProblem& problem_;
-    std::vector<EffectParameter> parameters_;
-    std::map<std::vector<double>, Eigen::VectorXd> known_;
-    int num_runs_ = 0;
-    std::string failure_;
+/// What a fit is made to.
+struct FitData {
+    const Whitening& whitening;
+    const Eigen::VectorXd& base;
 };
+
+/// 1 for each parameter with a normal prior, else 0.
+Eigen::VectorXd prior_weights(const EffectResiduals& residuals)
+{
+    Eigen::VectorXd weights(residuals.size());
+    for (Eigen::Index i = 0; i < weights.size(); ++i)
+        weights[i] = residuals.parameters()[index(i)].is_uniform ? 0.0 : 1.0;
+    return weights;
+}
 
 /// Whitened residuals, then x for each parameter with a normal prior.
 class PosteriorRows : public ceres::CostFunction {
 public:
-    PosteriorRows(EffectResiduals& residuals, Eigen::Index num_data)
-        : residuals_(residuals), num_data_(num_data)
+    PosteriorRows(EffectResiduals& residuals, const FitData& data)
+        : residuals_(residuals), data_(data), weights_(prior_weights(residuals))
     {
-        set_num_residuals(static_cast<int>(num_data + residuals.size()));
+        set_num_residuals(static_cast<int>(data.base.size() + residuals.size()));
         mutable_parameter_block_sizes()->push_back(static_cast<int>(residuals.size()));
     }
 
     bool Evaluate(double const* const* parameters, double* rows, double** jacobians) const override
     {
-        const Eigen::Index n = residuals_.size();
+        const Eigen::Index n = residuals_.size(), num_data = data_.base.size();
         const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], n);
-        Eigen::Map<Eigen::VectorXd> row(rows, num_data_ + n);
-        const bool wants_slope = jacobians != nullptr && jacobians[0] != nullptr;
-        Eigen::VectorXd weight(n);
-        for (Eigen::Index i = 0; i < n; ++i)
-            weight[i] = residuals_.parameters()[index(i)].is_uniform ? 0.0 : 1.0;
-        if (!wants_slope) {
-            const auto z = residuals_.whitened(x);
-            if (!z) return false;
-            row << *z, weight.cwiseProduct(x);
+        Eigen::Map<Eigen::VectorXd> row(rows, num_data + n);
+        if (jacobians == nullptr || jacobians[0] == nullptr) {
+            const Eigen::VectorXd here = residuals_.at({x}).front();
+            if (here.size() == 0) return false;
+            row << data_.whitening(here), weights_.cwiseProduct(x);
             return true;
         }
         const auto found = residuals_.with_derivatives(x);
         if (!found) return false;
-        row << found->first, weight.cwiseProduct(x);
+        row << data_.whitening(found->first), weights_.cwiseProduct(x);
         Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> slope(
-            jacobians[0], num_data_ + n, n);
-        slope.topRows(num_data_) = found->second;
-        slope.bottomRows(n) = weight.asDiagonal();
+            jacobians[0], num_data + n, n);
+        slope.topRows(num_data) = data_.whitening.of_columns(found->second);
+        slope.bottomRows(n) = weights_.asDiagonal();
         return true;
     }
 
 private:
     EffectResiduals& residuals_;
-    Eigen::Index num_data_;
+    const FitData& data_;
+    Eigen::VectorXd weights_;
 };
-
-/// A start that takes less off the misfit is not worth a fit.
-constexpr double least_reduction = 2.0;
 
 /// True if two starts differ in more than the amplitude.
 bool lie_apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
@@ -187,19 +83,19 @@ bool lie_apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
 }
 
 /// The starts that leave the smallest misfit, best first; none if no start helps.
-std::vector<Eigen::VectorXd> best_starts(EffectResiduals& residuals, const Effect& effect,
-                                         const FitProblem& problem, const FitOptions& options)
+std::vector<Eigen::VectorXd> best_starts(EffectResiduals& residuals, const Candidate& candidate,
+                                         const FitData& data, const FitOptions& options)
 {
     std::vector<Eigen::VectorXd> starts;
-    for (const auto& values : effect.starts(problem.setting))
+    for (const auto& values : candidate.starts)
         starts.push_back(residuals.scaled(values));
     if (starts.size() == 1) return starts;
-    const double base = problem.whitening(problem.base_residuals).squaredNorm();
+    const double base = data.whitening(data.base).squaredNorm();
     const std::vector<Eigen::VectorXd> simulated = residuals.at(starts);
     std::vector<std::pair<double, std::size_t>> misfits;
     for (std::size_t i = 0; i < starts.size(); ++i) {
         if (simulated[i].size() > 0)
-            misfits.emplace_back(problem.whitening(simulated[i]).squaredNorm(), i);
+            misfits.emplace_back(data.whitening(simulated[i]).squaredNorm(), i);
     }
     std::stable_sort(misfits.begin(), misfits.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -216,14 +112,29 @@ std::vector<Eigen::VectorXd> best_starts(EffectResiduals& residuals, const Effec
     return best;
 }
 
+/// What the linearised problem takes off half the sum of squares.
+double promise(const EffectResiduals& residuals, const FitData& data, const Eigen::VectorXd& x,
+               const std::pair<Eigen::VectorXd, Eigen::MatrixXd>& found)
+{
+    const Eigen::VectorXd weights = prior_weights(residuals);
+    const Eigen::MatrixXd slope = data.whitening.of_columns(found.second);
+    const Eigen::VectorXd gradient =
+        slope.transpose() * data.whitening(found.first) + weights.cwiseProduct(x);
+    Eigen::MatrixXd curvature = slope.transpose() * slope;
+    curvature.diagonal() += weights;
+    return 0.5 * gradient.dot(curvature.completeOrthogonalDecomposition().solve(gradient));
+}
+
 /// The parameters after Levenberg and Marquardt's steps from a start.
-Eigen::VectorXd minimised(EffectResiduals& residuals, Eigen::Index num_data, Eigen::VectorXd x,
+Eigen::VectorXd minimised(EffectResiduals& residuals, const FitData& data, Eigen::VectorXd x,
                           const FitOptions& options)
 {
-    if (!residuals.with_derivatives(x)) return x;  // Ceres would complain on stderr
+    const auto found = residuals.with_derivatives(x);
+    if (!found) return x;  // Ceres would complain on stderr
+    if (promise(residuals, data, x, *found) < least_promise) return x;
     ceres::Problem problem;
     // Bounds are kept by `EffectResiduals::values`; Ceres' own take a line search at each step.
-    problem.AddResidualBlock(new PosteriorRows(residuals, num_data), nullptr, x.data());
+    problem.AddResidualBlock(new PosteriorRows(residuals, data), nullptr, x.data());
     ceres::Solver::Options solver;
     solver.linear_solver_type = ceres::DENSE_QR;
     solver.logging_type = ceres::SILENT;
@@ -237,39 +148,51 @@ Eigen::VectorXd minimised(EffectResiduals& residuals, Eigen::Index num_data, Eig
     return residuals.scaled(residuals.values(x));
 }
 
-/// The fit at parameters; none if the effect cannot be simulated there.
-std::optional<EffectFit> fit_at(EffectResiduals& residuals, const Effect& effect,
-                                const FitProblem& problem, const Eigen::VectorXd& x)
+/// Shares all values out to the effects.
+std::vector<FittedEffect> fitted_effects(const EffectResiduals& residuals,
+                                         const DiagnosisProblem& problem,
+                                         const std::vector<double>& values,
+                                         const std::vector<double>& sd)
+{
+    std::vector<FittedEffect> fitted;
+    const std::vector<ActiveEffect> errors = residuals.effects(sd);
+    for (const ActiveEffect& effect : residuals.effects(values)) {
+        const Candidate& candidate = problem.candidates[effect.candidate];
+        fitted.push_back({effect.candidate, candidate.name, candidate.parameters, effect.values,
+                          errors[fitted.size()].values});
+    }
+    return fitted;
+}
+
+/// The fit at parameters; none if the effects cannot be simulated there.
+std::optional<EffectFit> fit_at(EffectResiduals& residuals, const DiagnosisProblem& problem,
+                                const FitData& data, const Eigen::VectorXd& x)
 {
     const auto found = residuals.with_derivatives(x);
     if (!found) return std::nullopt;
-    const auto& [z, derivatives] = *found;
     EffectFit fit;
-    fit.effect = effect.name;
-    fit.parameters = residuals.parameters();
-    fit.values = residuals.values(x);
-    fit.residuals = residuals.at({x}).front();
+    fit.x = x;
+    std::tie(fit.residuals, fit.derivatives) = *found;
+    const Eigen::VectorXd z = data.whitening(fit.residuals);
+    const Eigen::MatrixXd slope = data.whitening.of_columns(fit.derivatives);
     fit.chi_square = z.squaredNorm();
-    std::vector<bool> is_uniform;
-    for (const EffectParameter& parameter : fit.parameters)
-        is_uniform.push_back(parameter.is_uniform);
-    fit.log_evidence =
-        log_bayes_factor(problem.whitening(problem.base_residuals), z, derivatives, x, is_uniform);
     const Eigen::Index n = x.size();
     const Eigen::MatrixXd covariance =
-        (Eigen::MatrixXd::Identity(n, n) + derivatives.transpose() * derivatives).inverse();
+        (Eigen::MatrixXd::Identity(n, n) + slope.transpose() * slope).inverse();
+    std::vector<double> sd;
     for (Eigen::Index i = 0; i < n; ++i)
-        fit.sd.push_back(std::sqrt(covariance(i, i)) * fit.parameters[index(i)].prior_sd);
+        sd.push_back(std::sqrt(covariance(i, i)) * residuals.parameters()[index(i)].prior_sd);
+    fit.effects = fitted_effects(residuals, problem, residuals.values(x), sd);
+    fit.log_evidence =
+        log_bayes_factor(data.whitening(data.base), z, slope, x, uniform_parameters(fit));
     return fit;
 }
 
 /// The first start that can be simulated, with an amplitude of zero, which is no effect.
-Eigen::VectorXd without_amplitude(EffectResiduals& residuals, const Effect& effect,
-                                  const FitProblem& problem)
+Eigen::VectorXd without_amplitude(EffectResiduals& residuals, const Candidate& candidate)
 {
-    const auto starts = effect.starts(problem.setting);
-    std::vector<double> values = starts.front();
-    for (const auto& start : starts) {
+    std::vector<double> values = candidate.starts.front();
+    for (const auto& start : candidate.starts) {
         if (residuals.at({residuals.scaled(start)}).front().size() == 0) continue;
         values = start;
         break;
@@ -278,39 +201,78 @@ Eigen::VectorXd without_amplitude(EffectResiduals& residuals, const Effect& effe
     return residuals.scaled(values);
 }
 
-}  // namespace
-
-Eigen::VectorXd residuals_of(const Model& model, bool changes_deployment, const FitProblem& problem)
+/// The best of the fits that ended at some places.
+EffectFit best_of(EffectResiduals& residuals, const DiagnosisProblem& problem, const FitData& data,
+                  const std::vector<Eigen::VectorXd>& ends)
 {
-    if (!changes_deployment) return residuals(problem.observations, problem.base, model.imaging);
-    return residuals(problem.observations, simulate(model, problem.lumen), model.imaging);
-}
-
-EffectFit fit_effect(const Effect& effect, const FitProblem& problem, const FitOptions& options)
-{
-    EffectResiduals residuals(effect, problem);
-    std::vector<Eigen::VectorXd> ends;
-    for (const Eigen::VectorXd& start : best_starts(residuals, effect, problem, options))
-        ends.push_back(minimised(residuals, problem.base_residuals.size(), start, options));
-    if (ends.empty()) ends.push_back(without_amplitude(residuals, effect, problem));
     std::optional<EffectFit> best;
     std::vector<FitMode> modes;
     for (const Eigen::VectorXd& x : ends) {
-        const auto fit = fit_at(residuals, effect, problem, x);
+        const auto fit = fit_at(residuals, problem, data, x);
         if (!fit) continue;
-        modes.push_back({fit->values, fit->log_evidence});
+        modes.push_back({residuals.values(x), fit->log_evidence});
         if (!best || fit->log_evidence > best->log_evidence) best = fit;
     }
     if (!best) {
         best.emplace();
-        best->effect = effect.name;
-        best->parameters = residuals.parameters();
+        const std::vector<double> none(index(residuals.size()), 0.0);
+        best->effects = fitted_effects(residuals, problem, none, none);
         best->log_evidence = -std::numeric_limits<double>::infinity();
         best->failure = residuals.failure();
     }
     best->modes = modes;
+    best->trials = residuals.trials();
     best->num_runs = residuals.num_runs();
     return *best;
+}
+
+}  // namespace
+
+std::string name_of(const EffectFit& fit)
+{
+    std::string name;
+    for (const FittedEffect& effect : fit.effects)
+        name += (name.empty() ? "" : " + ") + effect.name;
+    return name;
+}
+
+std::vector<bool> uniform_parameters(const EffectFit& fit)
+{
+    std::vector<bool> is_uniform;
+    for (const FittedEffect& effect : fit.effects) {
+        for (const EffectParameter& parameter : effect.parameters)
+            is_uniform.push_back(parameter.is_uniform);
+    }
+    return is_uniform;
+}
+
+EffectFit fit_effect(const DiagnosisProblem& problem, const Whitening& whitening,
+                     const Eigen::VectorXd& base, std::size_t candidate, const FitOptions& options)
+{
+    const FitData data{whitening, base};
+    EffectResiduals residuals(problem, {candidate});
+    std::vector<Eigen::VectorXd> ends;
+    for (const Eigen::VectorXd& start :
+         best_starts(residuals, problem.candidates[candidate], data, options))
+        ends.push_back(minimised(residuals, data, start, options));
+    if (ends.empty()) ends.push_back(without_amplitude(residuals, problem.candidates[candidate]));
+    return best_of(residuals, problem, data, ends);
+}
+
+EffectFit fit_together(const DiagnosisProblem& problem, const Whitening& whitening,
+                       const Eigen::VectorXd& base, const std::vector<ActiveEffect>& start,
+                       const FitOptions& options)
+{
+    const FitData data{whitening, base};
+    std::vector<std::size_t> candidates;
+    std::vector<double> values;
+    for (const ActiveEffect& effect : start) {
+        candidates.push_back(effect.candidate);
+        values.insert(values.end(), effect.values.begin(), effect.values.end());
+    }
+    EffectResiduals residuals(problem, candidates);
+    return best_of(residuals, problem, data,
+                   {minimised(residuals, data, residuals.scaled(values), options)});
 }
 
 }  // namespace braidzone

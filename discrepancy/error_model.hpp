@@ -3,7 +3,6 @@
 #include "discrepancy/noise_floor.hpp"
 #include "discrepancy/observations.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 namespace braidzone {
@@ -34,18 +33,5 @@ struct ErrorModel {
 Eigen::MatrixXd patch_distances(const DiscrepancyField& field);
 
 ErrorModel make_error_model(const Observations& observations, const NoiseFloor& floor);
-
-/// Residuals in units of their error: z = L^-1 r with L L' = C.
-class Whitening {
-public:
-    /// @throws InputError if the covariance is not positive definite
-    explicit Whitening(const Eigen::MatrixXd& covariance);
-    Eigen::VectorXd operator()(const Eigen::VectorXd& residuals) const;
-    Eigen::MatrixXd of_columns(const Eigen::MatrixXd& columns) const;
-    double log_determinant() const;  ///< of C
-
-private:
-    Eigen::LLT<Eigen::MatrixXd> factor_;
-};
 
 }  // namespace braidzone

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,15 @@ double log_bayes_factor(const Eigen::VectorXd& base, const Eigen::VectorXd& fitt
                       : -0.5 * x[i] * x[i];
     }
     return result;
+}
+
+double log_of_mean(const std::vector<double>& logs)
+{
+    const double largest = *std::max_element(logs.begin(), logs.end());
+    double sum = 0.0;
+    for (const double value : logs)
+        sum += std::exp(value - largest);
+    return largest + std::log(sum / static_cast<double>(logs.size()));
 }
 
 }  // namespace braidzone

@@ -19,4 +19,9 @@ double log_bayes_factor(const Eigen::VectorXd& base, const Eigen::VectorXd& fitt
                         const Eigen::MatrixXd& derivatives, const Eigen::VectorXd& x,
                         const std::vector<bool>& is_uniform);
 
+/// ln of the mean of exp(x) over some x, without overflow: evidence averaged over alternatives
+/// that are alike probable.
+/// @param logs  at least one
+double log_of_mean(const std::vector<double>& logs);
+
 }  // namespace braidzone

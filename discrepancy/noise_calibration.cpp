@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "discrepancy/error_model.hpp"
+#include "discrepancy/whitening.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

@@ -1,29 +1,22 @@
 #include "discrepancy/unknown_effect.hpp"
 
+#include "discrepancy/laplace_evidence.hpp"
+
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace braidzone {
-namespace {
 
-constexpr std::array<double, 4> amplitudes = {0.04e-3, 0.08e-3, 0.16e-3, 0.32e-3};  // [m]
-constexpr std::array<double, 3> lengths = {1e-3, 2e-3, 4e-3};                       // [m]
-
-}  // namespace
-
-UnknownEffect::UnknownEffect(const DiscrepancyField& field, const Whitening& whitening,
-                             Eigen::Index num_residuals)
-    : whitening_(whitening), num_patches_(static_cast<Eigen::Index>(field.patches.size()))
+UnknownEffect::UnknownEffect(const DiagnosisProblem& problem, const Whitening& whitening)
+    : amplitudes_(problem.unknown_amplitudes),
+      whitening_(whitening),
+      field_size_(problem.distances.rows())
 {
-    const Eigen::MatrixXd distances = patch_distances(field);
-    for (const double length : lengths) {
+    const Eigen::Index num_residuals = problem.covariance.rows();
+    for (const double length : problem.unknown_lengths) {
         Scale scale;
         scale.kernel = Eigen::MatrixXd::Zero(num_residuals, num_residuals);
-        scale.kernel.topLeftCorner(num_patches_, num_patches_) =
-            (-0.5 * (distances / length).array().square()).exp();
+        scale.kernel.topLeftCorner(field_size_, field_size_) =
+            (-0.5 * (problem.distances / length).array().square()).exp();
         const Eigen::MatrixXd half = whitening.of_columns(scale.kernel);
         const Eigen::MatrixXd whole = whitening.of_columns(half.transpose());
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 *
@@ -46,14 +39,10 @@ double UnknownEffect::log_evidence(const Eigen::VectorXd& whitened) const
     std::vector<double> logs;
     for (const Scale& scale : scales_) {
         const Eigen::VectorXd along = scale.vectors.transpose() * whitened;
-        for (const double amplitude : amplitudes)
+        for (const double amplitude : amplitudes_)
             logs.push_back(log_evidence(scale, amplitude, along));
     }
-    const double largest = *std::max_element(logs.begin(), logs.end());
-    double sum = 0.0;
-    for (const double value : logs)
-        sum += std::exp(value - largest);
-    return largest + std::log(sum / static_cast<double>(logs.size()));
+    return log_of_mean(logs);
 }
 
 Eigen::VectorXd UnknownEffect::mean_field(const Eigen::VectorXd& whitened) const
@@ -62,7 +51,7 @@ Eigen::VectorXd UnknownEffect::mean_field(const Eigen::VectorXd& whitened) const
     Eigen::VectorXd field;
     for (const Scale& scale : scales_) {
         const Eigen::VectorXd along = scale.vectors.transpose() * whitened;
-        for (const double amplitude : amplitudes) {
+        for (const double amplitude : amplitudes_) {
             const double evidence = log_evidence(scale, amplitude, along);
             if (evidence <= best) continue;
             best = evidence;
@@ -74,7 +63,7 @@ Eigen::VectorXd UnknownEffect::mean_field(const Eigen::VectorXd& whitened) const
             field = square * whitening_.of_columns(scale.kernel).transpose() * solved;
         }
     }
-    return field.head(num_patches_);
+    return field.head(field_size_);
 }
 
 }  // namespace braidzone

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "discrepancy/error_model.hpp"
+#include "discrepancy/diagnosis_problem.hpp"
+#include "discrepancy/whitening.hpp"
 
 #include <Eigen/Core>
 
@@ -8,16 +9,16 @@
 
 namespace braidzone {
 
-/// An effect of which only the size and extent are known: a Gaussian process over the device,
+/// An effect of which only the size and extent are known: a Gaussian process over the field,
 ///
-///     K = a^2 exp(-distance^2 / (2 l^2)),   a in 0.04 to 0.32 mm,   l in 1 to 4 mm,
+///     K = a^2 exp(-distance^2 / (2 l^2)),
 ///
-/// on the patches, nothing on the scalars. The rival that keeps a named effect from being chosen
-/// only because it is the best of a bad lot.
+/// a out of `unknown_amplitudes` and l out of `unknown_lengths`, nothing on the single numbers. The
+/// rival that keeps a named effect from being chosen only because it is the best of a bad lot.
 class UnknownEffect {
 public:
-    UnknownEffect(const DiscrepancyField& field, const Whitening& whitening,
-                  Eigen::Index num_residuals);
+    /// @param whitening  by a covariance of all the problem's residuals, not always its own
+    UnknownEffect(const DiagnosisProblem& problem, const Whitening& whitening);
 
     /// Log Bayes factor against the residuals being noise alone, the evidence averaged over the
     /// amplitudes and lengths. Exact, by the eigenvalues d of L^-1 K L^-T / a^2 with u the whitened
@@ -27,7 +28,7 @@ public:
     double log_evidence(const Eigen::VectorXd& whitened) const;
 
     /// The mean of the process given the residuals, at the amplitude and length with the greatest
-    /// evidence: the unexplained gap of each patch [m].
+    /// evidence: what of the field is unexplained.
     Eigen::VectorXd mean_field(const Eigen::VectorXd& whitened) const;
 
 private:
@@ -39,8 +40,9 @@ private:
     static double log_evidence(const Scale& scale, double amplitude, const Eigen::VectorXd& along);
 
     std::vector<Scale> scales_;
+    std::vector<double> amplitudes_;
     const Whitening whitening_;
-    Eigen::Index num_patches_ = 0;
+    Eigen::Index field_size_ = 0;
 };
 
 }  // namespace braidzone

@@ -1,7 +1,9 @@
 #include "discrepancy/unknown_scalars.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "discrepancy/laplace_evidence.hpp"
+#include "discrepancy/whitening.hpp"
+
+#include <vector>
 
 namespace braidzone {
 namespace {
@@ -14,18 +16,18 @@ double log_density(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& res
 
 }  // namespace
 
-double unknown_scalars_evidence(const ErrorModel& error, const Eigen::VectorXd& residuals)
+double unknown_scalars_evidence(const DiagnosisProblem& problem, const Eigen::VectorXd& residuals)
 {
-    const Eigen::Index count = residuals.size() - error.num_patches;
+    const Eigen::Index count = residuals.size() - problem.distances.rows();
     if (count == 0) return 0.0;
-    const Eigen::MatrixXd noise = error.covariance().bottomRightCorner(count, count);
+    const Eigen::MatrixXd noise = problem.covariance.bottomRightCorner(count, count);
     const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(count, count);
     const Eigen::VectorXd scalars = residuals.tail(count);
     const double none = log_density(noise, scalars);
-    const double small = log_density(noise + 1e-6 * one, scalars) - none;
-    const double large = log_density(noise + 16e-6 * one, scalars) - none;
-    const double largest = std::max(small, large);
-    return largest + std::log(0.5 * (std::exp(small - largest) + std::exp(large - largest)));
+    std::vector<double> logs;
+    for (const double deviation : problem.unknown_deviations)
+        logs.push_back(log_density(noise + deviation * deviation * one, scalars) - none);
+    return log_of_mean(logs);
 }
 
 }  // namespace braidzone

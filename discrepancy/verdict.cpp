@@ -11,6 +11,16 @@ double score(const NamedEvidence& named)
     return named.log_evidence + std::max(named.log_evidence_unknown, 0.0);
 }
 
+/// True if the other answer has all effects of one, and more.
+bool is_part_of(const Answer& one, const Answer& other)
+{
+    return one.effects.size() < other.effects.size() &&
+           std::all_of(one.effects.begin(), one.effects.end(), [&](const std::string& effect) {
+               return std::find(other.effects.begin(), other.effects.end(), effect) !=
+                      other.effects.end();
+           });
+}
+
 }  // namespace
 
 Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unknown,
@@ -31,13 +41,21 @@ Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unkn
     if (ordered.empty()) return verdict;
     const double best = score(ordered.front());
     if (best - std::max(log_evidence_unknown, 0.0) < options.margin) return verdict;
+    std::vector<Answer> near;
     for (const NamedEvidence& one : ordered) {
-        if (best - score(one) < options.margin) verdict.effects.push_back(one.effect);
+        if (best - score(one) < options.margin) near.push_back({one.effects, one.fit});
     }
-    verdict.finding = verdict.effects.size() == 1 ? Finding::named : Finding::ambiguous;
+    for (const Answer& answer : near) {
+        if (std::none_of(near.begin(), near.end(),
+                         [&](const Answer& other) { return is_part_of(answer, other); }))
+            verdict.answers.push_back(answer);
+    }
+    verdict.finding = verdict.answers.size() == 1 ? Finding::named : Finding::ambiguous;
+    const NamedEvidence& first = *std::find_if(
+        ordered.begin(), ordered.end(),
+        [&](const NamedEvidence& one) { return one.effects == verdict.answers.front().effects; });
     verdict.has_unexplained_rest =
-        std::max(ordered.front().log_evidence_unknown, ordered.front().log_evidence_scalars) >
-        options.unexplained_bar;
+        std::max(first.log_evidence_unknown, first.log_evidence_scalars) > options.unexplained_bar;
     return verdict;
 }
 

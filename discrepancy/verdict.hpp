@@ -1,16 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace braidzone {
 
-/// Evidence for one named effect, natural logarithms of Bayes factors.
+/// Evidence for one known effect, or several together; natural logarithms of Bayes factors.
 struct NamedEvidence {
-    std::string effect;
+    std::vector<std::string> effects;
     double log_evidence = 0.0;          ///< against no effect
     double log_evidence_unknown = 0.0;  ///< of an unknown effect besides, against the named alone
     double log_evidence_scalars = 0.0;  ///< the same of scalars off by something unknown
+    std::size_t fit = 0;                ///< index of its fit
 };
 
 /// Bars of the decision: quantiles on a prototype's runs without effects.
@@ -23,31 +25,37 @@ struct VerdictOptions {
 
 enum class Finding {
     nothing_missing,
-    named,      ///< one effect
-    ambiguous,  ///< one of several, which the data do not tell apart
+    named,      ///< one effect, or several together
+    ambiguous,  ///< one of several answers, which the data do not tell apart
     unknown,    ///< something, but none of the known effects
 };
 
 /// "nothing_missing", "named", "ambiguous" or "unknown".
 std::string name_of(Finding finding);
 
+/// One effect, or several that are missing together.
+struct Answer {
+    std::vector<std::string> effects;
+    std::size_t fit = 0;  ///< index of its fit
+};
+
 struct Verdict {
     Finding finding = Finding::nothing_missing;
-    /// The effects that explain the data about equally well, best first; empty unless named or
-    /// ambiguous.
-    std::vector<std::string> effects;
-    /// A structured gap remains that the best effect does not explain.
+    /// What explains the data about equally well, best first; empty unless named or ambiguous.
+    std::vector<Answer> answers;
+    /// A structured gap remains that the best answer does not explain.
     bool has_unexplained_rest = false;
 };
 
-/// Decides between no effect, each named effect, an unknown effect, and a named with an unknown
-/// one.
+/// Decides between no effect, the known effects (each alone, and sets of them), an unknown effect,
+/// and known with unknown ones.
 ///
 ///     score_k = ln B_k + max(ln B_(U|k), 0),   margin = max_k score_k - max(ln B_U, 0)
 ///
 /// Nothing is missing if the best ln B_k, ln B_U and that of scalars that are off by something
 /// unknown are below their bars; the effect is unknown if the margin is less than 3; else all
-/// effects within 3 of the best score are the answer. Equal scores keep the given order.
+/// within 3 of the best score are the answers, but for those whose effects are all in another of
+/// them: what was added to them was found to be missing. Equal scores keep the given order.
 Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unknown,
                double log_evidence_scalars = 0.0, const VerdictOptions& options = {});
 

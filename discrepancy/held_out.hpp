@@ -1,0 +1,50 @@
+#pragma once
+
+#include "discrepancy/explanation.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace braidzone {
+
+/// The gap on data that took no part in choosing and fitting the effects.
+struct HeldOutGap {
+    /// Residuals of the field, each predicted from the other folds: with no effect, with what was
+    /// chosen there.
+    Eigen::VectorXd before = {}, after = {};
+    /// With a given answer, fitted in each fold; empty if none was given.
+    Eigen::VectorXd oracle = {};
+    std::vector<std::string> choices = {};  ///< of each fold, "none" or `name_of` its fit
+    int num_same = 0;                       ///< folds that chose what all the data choose
+    /// Log predictive density of the held-out residuals with the choices, less that without an
+    /// effect.
+    double log_score_gain = 0.0;
+
+    /// The choice holds on data it was not made on: the predictions gain, and at least three
+    /// quarters of the folds make the same choice.
+    bool confirms() const;
+};
+
+/// Cross-validation over blocks of the field, choice and fit both within the fold.
+///
+/// In each fold the fits of all data are refitted to the residuals that lie further than `buffer`
+/// from the block, linear in the parameters (`linear_refit`), and the one with the greatest log
+/// evidence is chosen if that is above `effect_bar`. Single numbers are learned from in all folds.
+/// What nuisances (`DiagnosisProblem::nuisance`) do to the block is predicted from the other
+/// residuals,
+///
+///     gap = r_block - N_(block, rest) C_(rest, rest)^-1 r_rest
+///
+/// @param folds   indices of the field's residuals, each in one fold
+/// @param buffer  in the unit of `distances`
+/// @param oracle  fit to compare with, where the truth is known
+HeldOutGap held_out_gap(const DiagnosisProblem& problem, const Explanation& explanation,
+                        const std::vector<std::vector<int>>& folds, double buffer,
+                        const ExplainOptions& options = {}, std::optional<std::size_t> oracle = {});
+
+/// Root mean square that the gap of the folds has where no effect is missing.
+double held_out_floor(const DiagnosisProblem& problem, const std::vector<std::vector<int>>& folds,
+                      double buffer);
+
+}  // namespace braidzone

@@ -1,0 +1,17 @@
+#include "discrepancy/implementation_error.hpp"
+
+namespace braidzone {
+
+Eigen::MatrixXd with_implementation_error(const DiagnosisProblem& problem,
+                                          const Eigen::VectorXd& change, double ratio)
+{
+    const Eigen::Index n = problem.distances.rows();
+    Eigen::MatrixXd covariance = problem.covariance;
+    const Eigen::VectorXd size = ratio * change.head(n).cwiseAbs();
+    covariance.topLeftCorner(n, n) +=
+        (size * size.transpose())
+            .cwiseProduct((-problem.distances.array() / problem.correlation_length).exp().matrix());
+    return covariance;
+}
+
+}  // namespace braidzone

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "discrepancy/diagnosis_problem.hpp"
+#include "discrepancy/effect.hpp"
+#include "discrepancy/error_model.hpp"
+#include "discrepancy/observations.hpp"
+
+#include <vector>
+
+namespace braidzone {
+
+/// What a surface diagnosis is made from. All of it must outlive the problem.
+struct SurfaceData {
+    const Lumen& lumen;
+    const EffectSetting& setting;
+    const Simulation& base;
+    const Observations& observations;
+    const ErrorModel& error;
+    const NoiseFloor& floor;
+};
+
+/// The model with effects in it, one after the other.
+/// @throws ConfigError if they cannot stand beside each other or what is there
+Model model_with(const std::vector<Effect>& catalogue, const EffectSetting& setting,
+                 const std::vector<ActiveEffect>& effects);
+
+/// A measured device surface as the search for a missing effect sees it: residuals are medians of
+/// signed distances over patches [m], then end positions and length [m]; an effect is tried by
+/// deploying the device anew.
+///
+/// The unknown effect is a smooth gap over the device of 0.04, 0.08, 0.16 or 0.32 mm and 1, 2 or
+/// 4 mm; ends and length may be off by 1 or 4 mm.
+DiagnosisProblem surface_problem(const SurfaceData& data, const std::vector<Effect>& catalogue);
+
+}  // namespace braidzone
