@@ -36,6 +36,13 @@ Eigen::VectorXd relative_residuals(const MeasuredCurve& measured,
         .cwiseQuotient(weights.weights);
 }
 
+ExplainOptions curve_options()
+{
+    ExplainOptions options;
+    options.search.most_effects = 2;
+    return options;
+}
+
 std::vector<std::vector<int>> curve_folds(std::size_t num_points)
 {
     const std::size_t count = std::min(num_blocks, num_points);

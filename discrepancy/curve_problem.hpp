@@ -2,6 +2,7 @@
 
 #include "discrepancy/curve_noise.hpp"
 #include "discrepancy/diagnosis_problem.hpp"
+#include "discrepancy/explanation.hpp"
 
 #include <functional>
 #include <utility>
@@ -68,6 +69,10 @@ DiagnosisProblem make_curve_problem(const MeasuredCurve& measured, const CurveNo
     };
     return problem;
 }
+
+/// How curves are searched: for two effects together at the most, which is what a smooth curve of a
+/// few shapes can tell.
+ExplainOptions curve_options();
 
 /// Blocks of neighbouring points for `held_out_gap`: four, or as many as there are points.
 std::vector<std::vector<int>> curve_folds(std::size_t num_points);

@@ -15,7 +15,7 @@ PressureEffect leakage_effect(const PressureBench& base)
         {.name = "leakage",
          .title = "fluid leaks past the edge of the device",
          .parameters = {normal_parameter("gap", "mm", 0.0, 0.1e-3, -base.gap_width, widest)},
-         .starts = {{0.5 * std::min(0.1e-3, widest)}},
+         .starts = {{0.1 * widest}, {0.25 * widest}, {0.5 * widest}},
          .needs_simulation = true,
          .separated_by = "a run with the edge sealed, or one with a closed foil in the place of "
                          "the device"},

@@ -36,7 +36,8 @@ void run_pressure(unsigned first_seed)
             const test::HiddenPressure hidden = test::PressureMaker(seed++).make(kind);
             const Explanation found = explain(
                 make_curve_problem(hidden.measured, pressure_noise(),
-                                   pressure_curve_bench(hidden.stated, hidden.measured.abscissae)));
+                                   pressure_curve_bench(hidden.stated, hidden.measured.abscissae)),
+                curve_options());
             const bool known = std::find(effects.begin(), effects.end(), kind) != effects.end();
             test::count(tallies, {kind, known}, found.verdict);
         }
