@@ -1,11 +1,15 @@
 // Curves with a hidden effect, and what the search for a missing effect makes of them; see README.
 
+#include "discrepancy/blind_curves/hidden_force.hpp"
 #include "discrepancy/blind_curves/hidden_pressure.hpp"
 #include "discrepancy/blind_curves/score.hpp"
+#include "discrepancy/force_effects.hpp"
 #include "discrepancy/pressure_effects.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <string>
@@ -45,6 +49,46 @@ void run_pressure(unsigned first_seed)
     test::print(tallies);
 }
 
+void run_force(unsigned first_seed)
+{
+    const std::vector<std::string> effects = {"zero_offset",        "friction",
+                                              "wire_diameter",      "surface_coefficient",
+                                              "radial_coefficient", "stiffening"};
+    std::vector<test::ForceMaker::Plan> plans;
+    unsigned seed = first_seed;
+    for (const auto& [kind, number] : numbers_of_cases(effects, {"sine", "slip", "hysteresis"}))
+        for (int i = 0; i < number; ++i)
+            plans.push_back(test::ForceMaker(seed++).plan(kind));
+    std::vector<PressModel> truths(test::ForceMaker::num_benches);
+    for (test::ForceMaker::Plan& plan : plans) {
+        if (plan.bench < 0) {
+            plan.bench = static_cast<int>(truths.size());
+            truths.emplace_back();
+        }
+        truths[static_cast<std::size_t>(plan.bench)] = plan.truth;
+    }
+    std::vector<std::vector<double>> forces(truths.size());
+    tbb::parallel_for(std::size_t{0}, truths.size(),
+                      [&](std::size_t i) { forces[i] = test::ForceMaker::pressed(truths[i]); });
+    for (test::ForceMaker::Plan& plan : plans)
+        test::ForceMaker::measure(plan, forces[static_cast<std::size_t>(plan.bench)]);
+    const PressResponse response = make_press_response(test::stated_press(), 3.25e-3);
+    std::map<std::string, test::Tally> tallies;
+    int failed = 0;
+    for (const test::ForceMaker::Plan& plan : plans) {
+        failed += plan.failed ? 1 : 0;
+        if (plan.failed) continue;
+        const Explanation found =
+            explain(make_curve_problem(plan.measured, force_noise(),
+                                       force_curve_bench(response, plan.measured.abscissae)),
+                    curve_options());
+        const bool known = std::find(effects.begin(), effects.end(), plan.kind) != effects.end();
+        test::count(tallies, {plan.kind, known}, found.verdict);
+    }
+    test::print(tallies);
+    fmt::print("\n{} press tests found no state of rest and are left out\n", failed);
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -55,7 +99,11 @@ int main(int argc, char** argv)
     }
     try {
         const auto seed = static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10));
-        if (std::string(argv[1]) == "pressure") run_pressure(seed);
+        if (std::string(argv[1]) == "pressure") {
+            run_pressure(seed);
+        } else {
+            run_force(seed);
+        }
     } catch (const std::exception& error) {
         fmt::print(stderr, "{}\n", error.what());
         return 1;
