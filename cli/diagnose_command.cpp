@@ -15,9 +15,11 @@
 #include "discrepancy/measured_surface.hpp"
 #include "discrepancy/measurement_check.hpp"
 #include "discrepancy/noise_calibration.hpp"
+#include "discrepancy/surface_problem.hpp"
 #include "export/text_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 
@@ -48,18 +50,16 @@ nlohmann::ordered_json inputs_as_json(const Case& job, const DiagnoseCommand& co
     return inputs;
 }
 
-/// One case file for each effect of the answer.
+/// One case file for each answer.
 void write_effect_cases(const fs::path& folder, const Case& job, const Diagnosis& diagnosis,
                         const fs::path& measured)
 {
-    for (const std::string& name : diagnosis.verdict.effects) {
-        for (std::size_t i = 0; i < diagnosis.fits.size(); ++i) {
-            const EffectFit& fit = diagnosis.fits[i];
-            if (fit.effect != name) continue;
-            const Model model = effect_catalogue()[i].apply(diagnosis.setting, fit.values);
-            write_text_file(folder / fmt::format("case_with_{}.toml", name),
-                            effect_case_text(job, model, fit, measured));
-        }
+    for (const Answer& answer : diagnosis.explanation.verdict.answers) {
+        const EffectFit& fit = diagnosis.explanation.fits[answer.fit];
+        const Model model = model_with(effect_catalogue(), diagnosis.setting, active_effects(fit));
+        write_text_file(
+            folder / fmt::format("case_with_{}.toml", fmt::join(answer.effects, "_and_")),
+            effect_case_text(job, model, fit, measured));
     }
 }
 
@@ -127,12 +127,11 @@ void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
     const Lumen lumen = lumen_of(job);
     const MeasuredScalars scalars = scalars_of(command, lumen.centerline);
     progress.begin("diagnose", "deploying the device");
-    diagnose_options.on_progress = [&](const std::string& doing) {
+    diagnose_options.explain.on_progress = [&](const std::string& doing) {
         progress.begin("diagnose", doing);
     };
-    const std::vector<Effect>& catalogue = effect_catalogue();
     const Diagnosis diagnosis = diagnose(model_of(job, lumen.centerline), lumen, std::move(points),
-                                         scalars, catalogue, diagnose_options);
+                                         scalars, effect_catalogue(), diagnose_options);
     progress.begin("export", "writing the results");
     write_discrepancy_picture(folder.path() / "discrepancy.png", diagnosis);
     write_discrepancy_vtp(folder.path() / "discrepancy.vtp", diagnosis, lumen.vessel.unit);
@@ -140,7 +139,7 @@ void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
     progress.end();
 
     nlohmann::ordered_json json = {{"program", program_name}};
-    json.update(diagnosis_as_json(diagnosis, catalogue, diagnose_options.floor));
+    json.update(diagnosis_as_json(diagnosis, diagnose_options.floor));
     json["inputs"] = inputs_as_json(job, command);
     json["files"] = files_in(folder.path());
     for (const StageTime& time : progress.times())
@@ -149,7 +148,7 @@ void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
     folder.commit();
 
     if (options.quiet) return;
-    fmt::print("{}  {:<12}{}\n", diagnosis_summary(diagnosis, catalogue), "results",
+    fmt::print("{}  {:<12}{}\n", diagnosis_summary(diagnosis), "results",
                folder.final_path().string());
 }
 

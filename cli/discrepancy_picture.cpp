@@ -50,7 +50,7 @@ std::vector<Panel> panels_of(const Diagnosis& diagnosis)
     if (diagnosis.map_after) {
         panels.push_back({"after", diagnosis.map_after->gap, marked_patches(*diagnosis.map_after)});
     }
-    panels.push_back({"unexplained", diagnosis.unexplained});
+    panels.push_back({"unexplained", diagnosis.explanation.unexplained});
     return panels;
 }
 

@@ -75,7 +75,7 @@ void write_discrepancy_vtp(const std::filesystem::path& path, const Diagnosis& d
         add_field(*data, "gap_after", diagnosis.map_after->gap, patches);
         units.push_back({"gap_after", "m"});
     }
-    add_field(*data, "unexplained", diagnosis.unexplained, patches);
+    add_field(*data, "unexplained", diagnosis.explanation.unexplained, patches);
     add_field(*data, "t_before", diagnosis.map.t, patches);
     add_units(*data, unit, units);
     vtkNew<vtkXMLPolyDataWriter> writer;

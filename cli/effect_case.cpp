@@ -1,6 +1,7 @@
 #include "cli/effect_case.hpp"
 
 #include "cli/case_geometry.hpp"
+#include "cli/explanation_report.hpp"
 #include "cli/resolved_case.hpp"
 
 #include <fmt/format.h>
@@ -48,29 +49,20 @@ std::vector<std::string> changed_keys(const Case& before, const Case& after)
     return changes;
 }
 
-std::vector<std::string> parameter_texts(const EffectFit& fit)
-{
-    std::vector<std::string> texts;
-    for (std::size_t i = 0; i < fit.values.size(); ++i) {
-        const EffectParameter& parameter = fit.parameters[i];
-        const double unit = reported_unit(parameter);
-        texts.push_back(fmt::format("{} = {:.4g} +- {:.2g}{}", parameter.name, fit.values[i] / unit,
-                                    fit.sd[i] / unit,
-                                    parameter.unit == "1" ? "" : " " + parameter.unit));
-    }
-    return texts;
-}
-
 std::string effect_case_text(const Case& job, const Model& model, const EffectFit& fit,
                              const std::filesystem::path& data)
 {
     const Case altered = case_of(job, model);
-    std::string text = fmt::format(
-        "# {} with the effect {}, found by braidzone diagnose in\n# {}.\n"
-        "# Parameters: {}\n# (from the curvature at the best fit; their coverage is not checked).\n"
+    std::string text =
+        fmt::format("# {} with {}, found by braidzone diagnose in\n# {}.\n", job.file.string(),
+                    name_of(fit), std::filesystem::absolute(data).string());
+    for (const FittedEffect& effect : fit.effects) {
+        text += fmt::format("# {}: {}\n", effect.name, fmt::join(parameter_texts(effect), ", "));
+    }
+    text += fmt::format(
+        "# (from the curvature at the best fit; their coverage is not checked).\n"
         "# ln Bayes factor against no effect {:.1f}. Changed values:\n",
-        job.file.string(), fit.effect, std::filesystem::absolute(data).string(),
-        fmt::join(parameter_texts(fit), ", "), fit.log_evidence);
+        fit.log_evidence);
     for (const std::string& change : changed_keys(job, altered))
         text += fmt::format("#   {}\n", change);
     return text + "\n" + resolved_case_text(altered);

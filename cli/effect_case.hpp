@@ -19,9 +19,6 @@ Case case_of(const Case& job, const Model& model);
 /// Keys whose values differ between two cases, "deployment.push_pull.0.from: absent -> ...".
 std::vector<std::string> changed_keys(const Case& before, const Case& after);
 
-/// "spacing_change = -0.62 +- 0.05": the parameters of a fit in their reported units.
-std::vector<std::string> parameter_texts(const EffectFit& fit);
-
 /// The case file with an effect: every value explicit, after a comment that says where the changed
 /// ones come from.
 /// @param data  the measured surface that they were found in

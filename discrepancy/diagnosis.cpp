@@ -77,7 +77,7 @@ std::vector<int> zone_of(const Diagnosis& diagnosis)
 }
 
 /// Before and after, with the model that the verdict names.
-void compare(Diagnosis& diagnosis, const DiagnoseOptions& options)
+void compare(Diagnosis& diagnosis, const DiagnosisProblem& problem, const DiagnoseOptions& options)
 {
     const Eigen::Index n = diagnosis.error.num_patches;
     const DiscrepancyField& field = diagnosis.observations.field;
@@ -91,8 +91,22 @@ void compare(Diagnosis& diagnosis, const DiagnoseOptions& options)
     std::vector<int> all(index(n));
     std::iota(all.begin(), all.end(), 0);
     const Eigen::MatrixXd smoothing = smoothing_matrix(field, options.clusters.kernel);
-    diagnosis.everywhere = compare_gaps(diagnosis.error, smoothing, before, after, all);
-    diagnosis.in_zone = compare_gaps(diagnosis.error, smoothing, before, after, diagnosis.zone);
+    const Eigen::MatrixXd taking = registration_taken_out(diagnosis.error);
+    const auto compared = [&](const std::vector<int>& patches) -> GapComparison {
+        return {static_cast<int>(patches.size()), gap_figures(taking * before, smoothing, patches),
+                gap_figures(taking * after, smoothing, patches),
+                floor_figures(taking, problem.covariance, smoothing, patches)};
+    };
+    diagnosis.everywhere = compared(all);
+    diagnosis.in_zone = compared(diagnosis.zone);
+    const std::vector<std::vector<int>> folds = surface_folds(field);
+    diagnosis.held_out = held_out_gap(problem, diagnosis.explanation, folds, held_out_buffer,
+                                      options.explain, options.oracle);
+    diagnosis.gap_held_out = {static_cast<int>(all.size()),
+                              gap_figures(diagnosis.held_out.before, smoothing, all),
+                              gap_figures(diagnosis.held_out.after, smoothing, all),
+                              floor_figures(held_out_rows(problem, folds, held_out_buffer),
+                                            problem.covariance, smoothing, all)};
     diagnosis.background = background_scale(diagnosis.error, after);
 }
 
@@ -138,14 +152,10 @@ Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> poin
     diagnosis.explanation = explain(problem, options.explain);
     const Explanation& explanation = diagnosis.explanation;
     if (explanation.best) {
-        std::vector<ActiveEffect> effects;
-        for (const FittedEffect& effect : explanation.fits[*explanation.best].effects)
-            effects.push_back({effect.candidate, effect.values});
-        diagnosis.after = model_with(catalogue, diagnosis.setting, effects);
+        diagnosis.after = model_with(catalogue, diagnosis.setting,
+                                     active_effects(explanation.fits[*explanation.best]));
     }
-    diagnosis.held_out = held_out_gap(problem, explanation,
-                                      surface_folds(diagnosis.observations.field), held_out_buffer);
-    compare(diagnosis, options);
+    compare(diagnosis, problem, options);
     return diagnosis;
 }
 

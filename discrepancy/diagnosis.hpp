@@ -17,6 +17,9 @@ struct DiagnoseOptions {
     PatchOptions patches;
     ClusterOptions clusters;
     ExplainOptions explain;
+    /// Index of the effect in the catalogue that is known to be missing, where it is: the gap that
+    /// it leaves is compared with that of the answer.
+    std::optional<std::size_t> oracle = {};
 };
 
 /// Shares of a cluster's area in parts of the device.
@@ -40,7 +43,8 @@ struct Diagnosis {
     std::vector<int> zone = {};  ///< patches that the effects move, or of the clusters
     GapComparison everywhere = {}, in_zone = {};
     HeldOutGap held_out = {};  ///< in the folds of `surface_folds`
-    double background = 1.0;   ///< `background_scale` of the best model
+    GapComparison gap_held_out = {};
+    double background = 1.0;  ///< `background_scale` of the best model
 };
 
 /// Finds where a measured device differs from the simulated one, and which effect explains it.

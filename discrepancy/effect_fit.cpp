@@ -158,8 +158,8 @@ std::vector<FittedEffect> fitted_effects(const EffectResiduals& residuals,
     const std::vector<ActiveEffect> errors = residuals.effects(sd);
     for (const ActiveEffect& effect : residuals.effects(values)) {
         const Candidate& candidate = problem.candidates[effect.candidate];
-        fitted.push_back({effect.candidate, candidate.name, candidate.parameters, effect.values,
-                          errors[fitted.size()].values});
+        fitted.push_back({effect.candidate, candidate.name, candidate.title, candidate.separated_by,
+                          candidate.parameters, effect.values, errors[fitted.size()].values});
     }
     return fitted;
 }
@@ -234,6 +234,14 @@ std::string name_of(const EffectFit& fit)
     for (const FittedEffect& effect : fit.effects)
         name += (name.empty() ? "" : " + ") + effect.name;
     return name;
+}
+
+std::vector<ActiveEffect> active_effects(const EffectFit& fit)
+{
+    std::vector<ActiveEffect> effects;
+    for (const FittedEffect& effect : fit.effects)
+        effects.push_back({effect.candidate, effect.values});
+    return effects;
 }
 
 std::vector<bool> uniform_parameters(const EffectFit& fit)

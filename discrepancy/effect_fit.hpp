@@ -13,8 +13,8 @@ namespace braidzone {
 
 /// An effect with the parameters that fit best.
 struct FittedEffect {
-    std::size_t candidate = 0;  ///< index in `DiagnosisProblem::candidates`
-    std::string name;
+    std::size_t candidate = 0;              ///< index in `DiagnosisProblem::candidates`
+    std::string name, title, separated_by;  ///< of the candidate
     std::vector<EffectParameter> parameters;
     std::vector<double> values;  ///< [SI]
     std::vector<double> sd;      ///< from the curvature at the best fit [SI]
@@ -43,6 +43,9 @@ struct EffectFit {
 
 /// "local_push" or "local_push + registration".
 std::string name_of(const EffectFit& fit);
+
+/// The effects with the values of the fit.
+std::vector<ActiveEffect> active_effects(const EffectFit& fit);
 
 /// True of each parameter with a uniform prior, in the order of `EffectFit::x`.
 std::vector<bool> uniform_parameters(const EffectFit& fit);

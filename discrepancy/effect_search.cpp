@@ -16,20 +16,16 @@ namespace {
 
 using CandidateSet = std::set<std::size_t>;
 
+/// A fingerprint promises less than a fit may gain, as it is taken as linear; an addition that
+/// would not make the best set even if it gained this many times as much is not tried.
+constexpr double generosity = 1.5;
+
 CandidateSet candidates_of(const EffectFit& fit)
 {
     CandidateSet all;
     for (const FittedEffect& effect : fit.effects)
         all.insert(effect.candidate);
     return all;
-}
-
-std::vector<ActiveEffect> active(const EffectFit& fit)
-{
-    std::vector<ActiveEffect> effects;
-    for (const FittedEffect& effect : fit.effects)
-        effects.push_back({effect.candidate, effect.values});
-    return effects;
 }
 
 /// A set with one candidate more, where to begin, and what its fingerprint promises.
@@ -53,7 +49,7 @@ Addition best_addition(const EffectFit& set, const EffectFit& single, const Eige
                        const Whitening& whitening)
 {
     const Eigen::VectorXd z = whitening(set.residuals);
-    Addition best{.start = active(set)};
+    Addition best{.start = active_effects(set)};
     std::vector<double> values = single.effects.front().values;
     for (const Trial& trial : single.trials) {
         const double gain = gain_of(whitening(base - trial.residuals), z);
@@ -107,17 +103,15 @@ double gain_over(const DiagnosisProblem& problem, const EffectFit& set, const Ef
     return evidence(larger) - evidence(set);
 }
 
-/// True if a set without any one of its effects, where that is known, explains less by the least
-/// gain.
+/// True if no part of the set explains as much, but for the least gain.
 bool earns_its_place(const EffectFit& fit, const std::map<CandidateSet, EffectFit>& known,
                      double least_gain)
 {
     const CandidateSet all = candidates_of(fit);
-    return std::all_of(all.begin(), all.end(), [&](std::size_t left_out) {
-        CandidateSet smaller = all;
-        smaller.erase(left_out);
-        const auto found = known.find(smaller);
-        return found == known.end() || fit.log_evidence >= found->second.log_evidence + least_gain;
+    return std::none_of(known.begin(), known.end(), [&](const auto& one) {
+        const auto& [part, of_part] = one;
+        return std::includes(all.begin(), all.end(), part.begin(), part.end()) &&
+               fit.log_evidence < of_part.log_evidence + least_gain;
     });
 }
 
@@ -146,15 +140,22 @@ std::vector<EffectFit> larger_sets(const DiagnosisProblem& problem, const Eigen:
                                    std::map<CandidateSet, EffectFit>& known,
                                    const SearchOptions& options)
 {
+    double best = 0.0;
+    for (const auto& [part, fit] : known)
+        best = std::max(best, fit.log_evidence);
     std::vector<std::pair<const EffectFit*, Addition>> tasks;
     for (const EffectFit& set : beam) {
-        for (Addition& addition : promising_additions(problem, set, singles, base, options))
-            tasks.emplace_back(&set, std::move(addition));
+        for (Addition& addition : promising_additions(problem, set, singles, base, options)) {
+            if (set.log_evidence + generosity * addition.promise > best)
+                tasks.emplace_back(&set, std::move(addition));
+        }
     }
     const Whitening whitening(problem.covariance);
+    FitOptions together = options.fit;
+    together.max_iterations = options.most_joint_iterations;
     std::vector<EffectFit> fits(tasks.size());
     tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
-        fits[i] = fit_together(problem, whitening, base, tasks[i].second.start, options.fit);
+        fits[i] = fit_together(problem, whitening, base, tasks[i].second.start, together);
         fits[i].trials.clear();
         if (!fits[i].failure.empty()) return;
         fits[i].log_evidence = tasks[i].first->log_evidence +

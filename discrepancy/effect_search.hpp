@@ -10,12 +10,13 @@ struct SearchOptions {
     int most_effects = 3;    ///< in the model together
     int width = 3;           ///< sets that are carried on from one size to the next
     int most_additions = 3;  ///< tried for each of them
-    /// What an addition must gain in log evidence, over the set without it and over the set
-    /// without any other of its effects.
+    /// What an addition must gain in log evidence over the set without it, and what the new set
+    /// must be ahead of every part of it.
     double least_gain = 3.0;
     /// How wrong an effect's shape may be, over its size.
     double implementation_error = 0.2;
-    FitOptions fit;
+    FitOptions fit;                 ///< of a candidate alone
+    int most_joint_iterations = 4;  ///< of a fit of several together
 };
 
 /// Sets of two or more effects in which each earns its place: a beam search over sets.

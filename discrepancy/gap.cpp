@@ -15,12 +15,20 @@ constexpr int num_draws = 200;
 
 }  // namespace
 
-Eigen::VectorXd registered_gap(const ErrorModel& error, const Eigen::VectorXd& residuals)
+double closure(const GapComparison& gaps)
 {
-    const Eigen::VectorXd solved = error.covariance().llt().solve(residuals);
-    const Eigen::VectorXd motion =
-        error.motion * (error.motion_variance.asDiagonal() * (error.motion.transpose() * solved));
-    return (residuals - motion).head(error.num_patches);
+    const auto square = [](const GapFigures& figures) { return figures.rms * figures.rms; };
+    return (square(gaps.before) - square(gaps.after)) / (square(gaps.before) - square(gaps.floor));
+}
+
+Eigen::MatrixXd registration_taken_out(const ErrorModel& error)
+{
+    const Eigen::Index n = error.num_patches;
+    const Eigen::MatrixXd solved = error.covariance().llt().solve(error.motion);
+    Eigen::MatrixXd taking =
+        -error.motion.topRows(n) * error.motion_variance.asDiagonal() * solved.transpose();
+    taking.leftCols(n).diagonal().array() += 1.0;
+    return taking;
 }
 
 GapFigures gap_figures(const Eigen::VectorXd& gap, const Eigen::MatrixXd& smoothing,
@@ -45,37 +53,25 @@ GapFigures gap_figures(const Eigen::VectorXd& gap, const Eigen::MatrixXd& smooth
     return figures;
 }
 
-GapComparison compare_gaps(const ErrorModel& error, const Eigen::MatrixXd& smoothing,
-                           const Eigen::VectorXd& before, const Eigen::VectorXd& after,
-                           const std::vector<int>& patches, std::uint32_t seed)
+GapFigures floor_figures(const Eigen::MatrixXd& taking, const Eigen::MatrixXd& covariance,
+                         const Eigen::MatrixXd& smoothing, const std::vector<int>& patches,
+                         std::uint32_t seed)
 {
-    GapComparison result;
-    result.num_patches = static_cast<int>(patches.size());
-    result.before = gap_figures(registered_gap(error, before), smoothing, patches);
-    result.after = gap_figures(registered_gap(error, after), smoothing, patches);
-    if (patches.empty()) return result;
-
-    const Eigen::LLT<Eigen::MatrixXd> factor(error.covariance());
-    const Eigen::MatrixXd lower = factor.matrixL();
-    const Eigen::MatrixXd motion = error.motion * error.motion_variance.asDiagonal();
-    const Eigen::MatrixXd taking = factor.solve(error.motion).transpose();
+    if (patches.empty()) return {};
+    const Eigen::MatrixXd drawing = taking * Eigen::MatrixXd(covariance.llt().matrixL());
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     std::vector<double> rms, percentile_95, largest;
-    Eigen::VectorXd noise(lower.rows());
+    Eigen::VectorXd noise(drawing.cols());
     for (int draw = 0; draw < num_draws; ++draw) {
         for (Eigen::Index i = 0; i < noise.size(); ++i)
             noise[i] = normal(random);
-        const Eigen::VectorXd residuals = lower * noise;
-        const Eigen::VectorXd gap =
-            (residuals - motion * (taking * residuals)).head(error.num_patches);
-        const GapFigures figures = gap_figures(gap, smoothing, patches);
+        const GapFigures figures = gap_figures(drawing * noise, smoothing, patches);
         rms.push_back(figures.rms);
         percentile_95.push_back(figures.percentile_95);
         largest.push_back(figures.largest_smoothed);
     }
-    result.floor = {median_of(rms), median_of(percentile_95), median_of(largest)};
-    return result;
+    return {median_of(rms), median_of(percentile_95), median_of(largest)};
 }
 
 }  // namespace braidzone

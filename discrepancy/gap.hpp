@@ -22,20 +22,23 @@ struct GapComparison {
     GapFigures before, after, floor;
 };
 
-/// The gap of each patch after the motion of the scan that the error model makes of the
-/// residuals has been taken out [m]: r - G Lambda G' C^-1 r.
-/// @param residuals  of all data, patches first [m]
-Eigen::VectorXd registered_gap(const ErrorModel& error, const Eigen::VectorXd& residuals);
+/// Share of the gap that is gone: (before^2 - after^2) / (before^2 - floor^2) of the RMS. 1 if all
+/// that is above the floor is gone; without meaning where nothing was.
+double closure(const GapComparison& gaps);
+
+/// Rows that make the gap of each patch out of all residuals, patches first: the motion of the
+/// scan that the error model makes of the residuals is taken out, r - G Lambda G' C^-1 r.
+Eigen::MatrixXd registration_taken_out(const ErrorModel& error);
 
 /// Figures over some patches.
 /// @param smoothing  of all patches, see `smoothing_matrix`
 GapFigures gap_figures(const Eigen::VectorXd& gap, const Eigen::MatrixXd& smoothing,
                        const std::vector<int>& patches);
 
-/// Before, after and the noise floor over some patches. The floor's figures are medians over
-/// residuals drawn from the error model, treated alike.
-GapComparison compare_gaps(const ErrorModel& error, const Eigen::MatrixXd& smoothing,
-                           const Eigen::VectorXd& before, const Eigen::VectorXd& after,
-                           const std::vector<int>& patches, std::uint32_t seed = 1);
+/// Figures where no effect is missing: medians over residuals drawn from the error model.
+/// @param taking  rows that make the gap of each patch out of all residuals
+GapFigures floor_figures(const Eigen::MatrixXd& taking, const Eigen::MatrixXd& covariance,
+                         const Eigen::MatrixXd& smoothing, const std::vector<int>& patches,
+                         std::uint32_t seed = 1);
 
 }  // namespace braidzone

@@ -5,7 +5,6 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <cmath>
 
 namespace braidzone {
 namespace {
@@ -109,20 +108,18 @@ HeldOutGap held_out_gap(const DiagnosisProblem& problem, const Explanation& expl
     return gap;
 }
 
-double held_out_floor(const DiagnosisProblem& problem, const std::vector<std::vector<int>>& folds,
-                      double buffer)
+Eigen::MatrixXd held_out_rows(const DiagnosisProblem& problem,
+                              const std::vector<std::vector<int>>& folds, double buffer)
 {
-    const Eigen::MatrixXd& c = problem.covariance;
-    double sum = 0.0;
+    Eigen::MatrixXd rows =
+        Eigen::MatrixXd::Zero(problem.distances.rows(), problem.covariance.cols());
     for (const std::vector<int>& block : folds) {
         const Fold fold = make_fold(problem, block, buffer);
-        const Eigen::MatrixXd shared = fold.taken * c(fold.rest, block);
-        const Eigen::MatrixXd variance =
-            c(block, block) - shared - shared.transpose() +
-            fold.taken * c(fold.rest, fold.rest) * fold.taken.transpose();
-        sum += variance.trace();
+        rows(block, fold.rest) = -fold.taken;
+        for (const int i : block)
+            rows(i, i) = 1.0;
     }
-    return std::sqrt(sum / static_cast<double>(problem.distances.rows()));
+    return rows;
 }
 
 }  // namespace braidzone

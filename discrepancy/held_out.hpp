@@ -43,8 +43,8 @@ HeldOutGap held_out_gap(const DiagnosisProblem& problem, const Explanation& expl
                         const std::vector<std::vector<int>>& folds, double buffer,
                         const ExplainOptions& options = {}, std::optional<std::size_t> oracle = {});
 
-/// Root mean square that the gap of the folds has where no effect is missing.
-double held_out_floor(const DiagnosisProblem& problem, const std::vector<std::vector<int>>& folds,
-                      double buffer);
+/// Rows that make the held-out gap of the field out of all residuals, as above.
+Eigen::MatrixXd held_out_rows(const DiagnosisProblem& problem,
+                              const std::vector<std::vector<int>>& folds, double buffer);
 
 }  // namespace braidzone

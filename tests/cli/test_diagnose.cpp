@@ -79,7 +79,7 @@ TEST(DiagnoseVerb, NamesTheHiddenPushAndWritesACaseWithIt)
     EXPECT_THAT(ended.out, HasSubstr("local_push: the operator pushed"));
     const auto result = json_in(output / "diagnosis.json");
     EXPECT_EQ(result["answer"]["finding"], "named");
-    EXPECT_EQ(result["answer"]["effects"], nlohmann::json({"local_push"}));
+    EXPECT_EQ(result["answer"]["effects"], nlohmann::json::parse(R"([["local_push"]])"));
     EXPECT_GT(fs::file_size(output / "discrepancy.png"), 1000u);
 
     // The new case holds the push that the diagnosis reports.
@@ -202,18 +202,20 @@ TEST(EffectCase, HoldsEveryEffectInItsOwnKeys)
         {"local_push", "deployment.push_pull.0."},
         {"local_pull", "deployment.push_pull.0."}};
     for (const Effect& effect : effect_catalogue()) {
-        EffectFit fit;
-        fit.effect = effect.name;
-        fit.parameters = effect.parameters(setting);
-        for (const EffectParameter& parameter : fit.parameters) {
+        FittedEffect fitted;
+        fitted.name = effect.name;
+        fitted.parameters = effect.parameters(setting);
+        for (const EffectParameter& parameter : fitted.parameters) {
             // off the prior's mean, to the side that the bounds allow
             const double step = 0.5 * parameter.prior_sd;
-            fit.values.push_back(parameter.prior_mean + step <= parameter.upper
-                                     ? parameter.prior_mean + step
-                                     : parameter.prior_mean - step);
-            fit.sd.push_back(step);
+            fitted.values.push_back(parameter.prior_mean + step <= parameter.upper
+                                        ? parameter.prior_mean + step
+                                        : parameter.prior_mean - step);
+            fitted.sd.push_back(step);
         }
-        const Model model = effect.apply(setting, fit.values);
+        EffectFit fit;
+        fit.effects = {fitted};
+        const Model model = effect.apply(setting, fitted.values);
         const auto changes = changed_keys(job, case_of(job, model));
         ASSERT_FALSE(changes.empty()) << effect.name;
         for (const std::string& change : changes)

@@ -78,12 +78,14 @@ TEST(Diagnose, NamesAndPlacesAHiddenPush)
     const Diagnosis found = diagnosed({.spacing = test::smooth_spacing(15e-3, 1.8e-3, -0.6)}, 4,
                                       catalogue_of({"local_push", "nominal_diameter", "blooming",
                                                     "vessel_offset", "landing_offset"}));
-    EXPECT_EQ(found.verdict.finding, Finding::named);
-    ASSERT_THAT(found.verdict.effects, ElementsAre("local_push"));
+    EXPECT_EQ(found.explanation.verdict.finding, Finding::named);
+    ASSERT_EQ(found.explanation.verdict.answers.size(), 1u);
+    EXPECT_THAT(found.explanation.verdict.answers.front().effects, ElementsAre("local_push"));
+    const EffectFit& fit = found.explanation.fits[*found.explanation.best];
     std::string ends;
-    for (const FitMode& mode : found.fits[*found.best].modes)
+    for (const FitMode& mode : fit.modes)
         ends += fmt::format(" {:.2f} mm: {:.1f}", 1e3 * mode.values[1], mode.log_evidence);
-    EXPECT_NEAR(found.fits[*found.best].values[1], 15e-3, 1e-3) << ends;
+    EXPECT_NEAR(fit.effects.front().values[1], 15e-3, 1e-3) << ends;
     EXPECT_LT(found.in_zone.after.rms, found.in_zone.before.rms);
     ASSERT_TRUE(found.after.has_value());
     EXPECT_EQ(found.after->schedule.windows.size(), 1u);
@@ -93,7 +95,7 @@ TEST(Diagnose, FindsNothingWhereNothingIsHidden)
 {
     const Diagnosis found =
         diagnosed({}, 2, catalogue_of({"nominal_diameter", "blooming", "vessel_offset"}));
-    EXPECT_EQ(found.verdict.finding, Finding::nothing_missing);
+    EXPECT_EQ(found.explanation.verdict.finding, Finding::nothing_missing);
     EXPECT_FALSE(found.after.has_value());
 }
 
@@ -108,13 +110,14 @@ TEST(Diagnose, DoesNotNameWhatItDoesNotKnow)
                  return -0.3e-3 * std::exp(-0.5 * (p - place).squaredNorm() / 1.2e-6);
              }},
         3, catalogue_of({"nominal_diameter", "blooming", "vessel_offset", "registration"}));
-    EXPECT_TRUE(found.verdict.finding == Finding::unknown || found.verdict.has_unexplained_rest);
+    EXPECT_TRUE(found.explanation.verdict.finding == Finding::unknown ||
+                found.explanation.verdict.has_unexplained_rest);
     ASSERT_FALSE(found.map.clusters.empty());
     EXPECT_LT(found.map.clusters.front().p_family_wise, 0.05);
     EXPECT_NEAR(found.map.clusters.front().arc_length, 20e-3, 1e-3);
     Eigen::Index deepest = 0;
-    found.unexplained.minCoeff(&deepest);
-    EXPECT_LT(found.unexplained[deepest], -0.1e-3);
+    found.explanation.unexplained.minCoeff(&deepest);
+    EXPECT_LT(found.explanation.unexplained[deepest], -0.1e-3);
 }
 
 // The catalogue without the effect that is there: another name must not take its place unflagged.
@@ -122,8 +125,9 @@ TEST(Diagnose, SaysUnknownWithoutTheEffectInTheCatalogue)
 {
     const Diagnosis found = diagnosed({.spacing = test::smooth_spacing(15e-3, 1.8e-3, -0.66)}, 1,
                                       catalogue_of({"blooming", "braid_ratio"}));
-    EXPECT_NE(found.verdict.finding, Finding::nothing_missing);
-    EXPECT_TRUE(found.verdict.finding == Finding::unknown || found.verdict.has_unexplained_rest);
+    EXPECT_NE(found.explanation.verdict.finding, Finding::nothing_missing);
+    EXPECT_TRUE(found.explanation.verdict.finding == Finding::unknown ||
+                found.explanation.verdict.has_unexplained_rest);
 }
 
 TEST(Diagnose, ReportsAnEffectThatCannotBeSimulated)
@@ -133,9 +137,9 @@ TEST(Diagnose, ReportsAnEffectThatCannotBeSimulated)
         throw GeometryError("the device breaks");
     };
     const Diagnosis found = diagnosed({}, 2, {broken});
-    EXPECT_EQ(found.fits.front().failure, "the device breaks");
-    EXPECT_TRUE(found.named.empty());
-    EXPECT_EQ(found.verdict.finding, Finding::nothing_missing);
+    EXPECT_EQ(found.explanation.fits.front().failure, "the device breaks");
+    EXPECT_TRUE(found.explanation.named.empty());
+    EXPECT_EQ(found.explanation.verdict.finding, Finding::nothing_missing);
 }
 
 TEST(Diagnose, RefusesTooFewPatches)

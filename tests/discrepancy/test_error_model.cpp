@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "discrepancy/background_estimate.hpp"
 #include "discrepancy/error_model.hpp"
+#include "discrepancy/whitening.hpp"
 #include "support/patch_grid.hpp"
 
 #include <Eigen/Dense>

@@ -32,7 +32,8 @@ double brute_force(const Eigen::MatrixXd& noise, const Eigen::MatrixXd& kernel,
 TEST(UnknownEffect, HasTheEvidenceOfTheDeterminants)
 {
     const Observations observations = cylinder(6);
-    const Eigen::MatrixXd noise = make_error_model(observations, {}).covariance();
+    const DiagnosisProblem problem = test::errors_of(observations);
+    const Eigen::MatrixXd& noise = problem.covariance;
     const Eigen::MatrixXd squares = patch_distances(observations.field).array().square().matrix();
     const Eigen::VectorXd residuals = 2.0 * test::draws(noise, 1, 5).col(0);
     double mean = 0.0;
@@ -44,7 +45,7 @@ TEST(UnknownEffect, HasTheEvidenceOfTheDeterminants)
         }
     }
     const Whitening whitening(noise);
-    const UnknownEffect unknown(observations.field, whitening, residuals.size());
+    const UnknownEffect unknown(problem, whitening);
     EXPECT_NEAR(unknown.log_evidence(whitening(residuals)), std::log(mean), 1e-6);
 }
 
@@ -52,8 +53,9 @@ TEST(UnknownEffect, SaysNothingAboutScalars)
 {
     Observations observations = cylinder(6);
     observations.scalars.values[2] = {20e-3, 0.3e-3};
-    const Whitening whitening(make_error_model(observations, {}).covariance());
-    const UnknownEffect unknown(observations.field, whitening, num_residuals(observations));
+    const DiagnosisProblem problem = test::errors_of(observations);
+    const Whitening whitening(problem.covariance);
+    const UnknownEffect unknown(problem, whitening);
     Eigen::VectorXd residuals = Eigen::VectorXd::Zero(num_residuals(observations));
     const double without = unknown.log_evidence(whitening(residuals));
     residuals[residuals.size() - 1] = 5e-3;
@@ -65,8 +67,9 @@ TEST(UnknownEffect, SaysNothingAboutScalars)
 TEST(UnknownEffect, FindsADent)
 {
     const Observations observations = cylinder(16);
-    const Whitening whitening(make_error_model(observations, {}).covariance());
-    const UnknownEffect unknown(observations.field, whitening, num_residuals(observations));
+    const DiagnosisProblem problem = test::errors_of(observations);
+    const Whitening whitening(problem.covariance);
+    const UnknownEffect unknown(problem, whitening);
     const Vec3 place(2e-3, 0.0, 6e-3);
     Eigen::VectorXd residuals(num_residuals(observations));
     for (Eigen::Index i = 0; i < residuals.size(); ++i) {
@@ -85,9 +88,10 @@ TEST(UnknownEffect, FindsADent)
 TEST(UnknownEffect, IsRarelySeenInNoise)
 {
     const Observations observations = cylinder(16);
-    const Eigen::MatrixXd noise = make_error_model(observations, {}).covariance();
+    const DiagnosisProblem problem = test::errors_of(observations);
+    const Eigen::MatrixXd& noise = problem.covariance;
     const Whitening whitening(noise);
-    const UnknownEffect unknown(observations.field, whitening, num_residuals(observations));
+    const UnknownEffect unknown(problem, whitening);
     const Eigen::MatrixXd draws = test::draws(noise, 200, 11);
     int alarms = 0;
     for (Eigen::Index i = 0; i < draws.cols(); ++i)

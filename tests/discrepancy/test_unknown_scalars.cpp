@@ -13,14 +13,14 @@ TEST(UnknownScalarsEvidence, IsTheMeanOfTwoNormalRatios)
 {
     Observations observations{.points = {}, .field = test::cylinder_field(3, 2e-3), .scalars = {}};
     observations.scalars.values[2] = {18e-3, 0.3e-3};
-    const ErrorModel error = make_error_model(observations, {});
+    const DiagnosisProblem problem = test::errors_of(observations);
     Eigen::VectorXd residuals = Eigen::VectorXd::Zero(num_residuals(observations));
     residuals[residuals.size() - 1] = 2e-3;
     const auto ratio = [](double b) {
         const double s2 = 0.13;
         return std::sqrt(s2 / (s2 + b * b)) * std::exp(2.0 * (1.0 / s2 - 1.0 / (s2 + b * b)));
     };
-    EXPECT_NEAR(unknown_scalars_evidence(error, residuals),
+    EXPECT_NEAR(unknown_scalars_evidence(problem, residuals),
                 std::log(0.5 * (ratio(1.0) + ratio(4.0))), 1e-9);
 }
 
@@ -28,9 +28,8 @@ TEST(UnknownScalarsEvidence, IsZeroWithoutScalars)
 {
     const Observations observations{
         .points = {}, .field = test::cylinder_field(3, 2e-3), .scalars = {}};
-    EXPECT_EQ(
-        unknown_scalars_evidence(make_error_model(observations, {}), Eigen::VectorXd::Ones(36)),
-        0.0);
+    EXPECT_EQ(unknown_scalars_evidence(test::errors_of(observations), Eigen::VectorXd::Ones(36)),
+              0.0);
 }
 
 }  // namespace braidzone

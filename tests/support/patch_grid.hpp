@@ -1,6 +1,8 @@
 #pragma once
 
+#include "discrepancy/diagnosis_problem.hpp"
 #include "discrepancy/discrepancy_field.hpp"
+#include "discrepancy/error_model.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -36,6 +38,19 @@ inline DiscrepancyField cylinder_field(int rows, double radius)
         }
     }
     return field;
+}
+
+/// The errors and the unknown effect of a surface, without candidates.
+inline DiagnosisProblem errors_of(const Observations& observations, const NoiseFloor& floor = {})
+{
+    DiagnosisProblem problem;
+    problem.covariance = make_error_model(observations, floor).covariance();
+    problem.distances = patch_distances(observations.field);
+    problem.correlation_length = floor.background_length;
+    problem.unknown_amplitudes = {0.04e-3, 0.08e-3, 0.16e-3, 0.32e-3};
+    problem.unknown_lengths = {1e-3, 2e-3, 4e-3};
+    problem.unknown_deviations = {1e-3, 4e-3};
+    return problem;
 }
 
 /// Normal vectors of a covariance, one a column.

@@ -177,19 +177,24 @@ void print_case(const std::string& effect, std::uint32_t seed, const NoiseFloor&
     const Diagnosis found = diagnose(model_of(belief), lumen, measured.points, measured.ends,
                                      effect_catalogue(), options);
     double location_error = std::nan("");
-    if (found.best && !hidden.spacing.empty() && found.fits[*found.best].values.size() == 3) {
-        location_error = 1e3 * (found.fits[*found.best].values[1] - hidden.centre);
+    const Explanation& explanation = found.explanation;
+    if (explanation.best && !hidden.spacing.empty()) {
+        const FittedEffect& first = explanation.fits[*explanation.best].effects.front();
+        if (first.values.size() == 3) location_error = 1e3 * (first.values[1] - hidden.centre);
     }
-    std::string evidence;
-    for (const NamedEvidence& named : found.named)
-        evidence += fmt::format(" {}:{:.1f}/{:.1f}", named.effect, named.log_evidence,
-                                named.log_evidence_unknown);
+    std::string evidence, answers;
+    for (const NamedEvidence& named : explanation.named) {
+        evidence += fmt::format(" {}:{:.1f}/{:.1f}", fmt::join(named.effects, "+"),
+                                named.log_evidence, named.log_evidence_unknown);
+    }
+    for (const Answer& answer : explanation.verdict.answers)
+        answers += fmt::format("{}{}", answers.empty() ? "" : "|", fmt::join(answer.effects, "+"));
     fmt::print("{},{},{},{},{},{:.2f},{:.4f},{:.4f},{:.4f},{:.2f},{},U:{:.1f}{}\n", effect, seed,
-               name_of(found.verdict.finding), fmt::join(found.verdict.effects, "+"),
-               found.verdict.has_unexplained_rest ? "rest" : "-", location_error,
+               name_of(explanation.verdict.finding), answers,
+               explanation.verdict.has_unexplained_rest ? "rest" : "-", location_error,
                1e3 * found.everywhere.before.rms, 1e3 * found.everywhere.after.rms,
-               1e3 * found.everywhere.floor.rms, found.background, found.num_runs,
-               found.log_evidence_unknown, evidence);
+               1e3 * found.everywhere.floor.rms, found.background, explanation.num_runs,
+               explanation.log_evidence_unknown, evidence);
     std::fflush(stdout);
 }
 
