@@ -1,5 +1,6 @@
 #include "cli/press_file.hpp"
 
+#include "cli/changed_keys.hpp"
 #include "cli/key_checks.hpp"
 #include "core/error.hpp"
 #include "core/toml_reader.hpp"
@@ -72,6 +73,23 @@ PressFile read_press_file(const std::filesystem::path& file,
     press.options = read_options(root.table_or_empty("press"));
     root.finish();
     return press;
+}
+
+std::vector<std::string> changed_press_keys(const FlowDiverter& device_before,
+                                            const PressOptions& before,
+                                            const FlowDiverter& device_after,
+                                            const PressOptions& after)
+{
+    ChangedKeys keys;
+    keys.add("device.wire_diameter", device_before.wire_diameter, device_after.wire_diameter,
+             Dimension::length);
+    keys.add("press.friction", before.friction, after.friction);
+    keys.add("press.surface_factor", before.surface_factor, after.surface_factor);
+    keys.add("press.radial_factor", before.radial_factor, after.radial_factor);
+    keys.add("press.zero_offset", before.reading.zero_offset, after.reading.zero_offset,
+             Dimension::length);
+    keys.add("press.stiffening", before.reading.stiffening, after.reading.stiffening);
+    return keys.overrides();
 }
 
 }  // namespace braidzone

@@ -27,4 +27,11 @@ struct PressFile {
 PressFile read_press_file(const std::filesystem::path& file,
                           const std::vector<std::string>& overrides = {});
 
+/// The keys whose values differ between two models of the same press file, "press.friction=0.2":
+/// overrides that make one file out of the other.
+std::vector<std::string> changed_press_keys(const FlowDiverter& device_before,
+                                            const PressOptions& before,
+                                            const FlowDiverter& device_after,
+                                            const PressOptions& after);
+
 }  // namespace braidzone
