@@ -2,6 +2,7 @@
 #include "discrepancy/curve_diagnosis.hpp"
 #include "discrepancy/force_effects.hpp"
 #include "discrepancy/press_response.hpp"
+#include "support/answers.hpp"
 #include "support/devices.hpp"
 
 #include <gmock/gmock.h>
@@ -133,11 +134,7 @@ CurveDiagnosis diagnosed(const MeasuredCurve& curve)
 
 std::vector<std::string> answers(const CurveDiagnosis& diagnosis)
 {
-    std::vector<std::string> names;
-    for (const Answer& answer : diagnosis.explanation.verdict.answers)
-        names.push_back(name_of(diagnosis.explanation.fits[answer.fit]));
-    if (names.empty()) names.push_back(name_of(diagnosis.explanation.verdict.finding));
-    return names;
+    return test::answers(diagnosis.explanation);
 }
 
 }  // namespace
@@ -156,8 +153,8 @@ TEST(ForceDiagnosis, FindsThickerWires)
     const CurveDiagnosis diagnosis = diagnosed(measured(model));
     ASSERT_THAT(answers(diagnosis), testing::Contains("wire_diameter"));
     for (const EffectFit& fit : diagnosis.explanation.fits) {
-        if (name_of(fit) == "wire_diameter")
-            EXPECT_NEAR(fit.effects.front().values.front(), 0.07, 0.01);
+        if (name_of(fit) != "wire_diameter") continue;
+        EXPECT_NEAR(fit.effects.front().values.front(), 0.07, 0.01);
     }
 }
 

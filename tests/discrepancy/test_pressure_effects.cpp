@@ -3,10 +3,12 @@
 #include "discrepancy/blind_curves/hidden_pressure.hpp"
 #include "discrepancy/curve_diagnosis.hpp"
 #include "discrepancy/pressure_effects.hpp"
+#include "support/answers.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -19,14 +21,9 @@ CurveDiagnosis diagnosed(const test::HiddenPressure& hidden)
                           pressure_curve_bench(hidden.stated, hidden.measured.abscissae));
 }
 
-/// The names of all answers, "density", "viscosity and leakage"; the finding if there are none.
 std::vector<std::string> answers(const CurveDiagnosis& diagnosis)
 {
-    std::vector<std::string> names;
-    for (const Answer& answer : diagnosis.explanation.verdict.answers)
-        names.push_back(name_of(diagnosis.explanation.fits[answer.fit]));
-    if (names.empty()) names.push_back(name_of(diagnosis.explanation.verdict.finding));
-    return names;
+    return test::answers(diagnosis.explanation);
 }
 
 }  // namespace

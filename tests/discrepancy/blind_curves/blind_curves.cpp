@@ -54,39 +54,29 @@ void run_force(unsigned first_seed)
     const std::vector<std::string> effects = {"zero_offset",        "friction",
                                               "wire_diameter",      "surface_coefficient",
                                               "radial_coefficient", "stiffening"};
-    std::vector<test::ForceMaker::Plan> plans;
-    unsigned seed = first_seed;
-    for (const auto& [kind, number] : numbers_of_cases(effects, {"sine", "slip", "hysteresis"}))
-        for (int i = 0; i < number; ++i)
-            plans.push_back(test::ForceMaker(seed++).plan(kind));
-    std::vector<PressModel> truths(test::ForceMaker::num_benches);
-    for (test::ForceMaker::Plan& plan : plans) {
-        if (plan.bench < 0) {
-            plan.bench = static_cast<int>(truths.size());
-            truths.emplace_back();
-        }
-        truths[static_cast<std::size_t>(plan.bench)] = plan.truth;
-    }
-    std::vector<std::vector<double>> forces(truths.size());
-    tbb::parallel_for(std::size_t{0}, truths.size(),
-                      [&](std::size_t i) { forces[i] = test::ForceMaker::pressed(truths[i]); });
-    for (test::ForceMaker::Plan& plan : plans)
-        test::ForceMaker::measure(plan, forces[static_cast<std::size_t>(plan.bench)]);
+    std::vector<std::vector<double>> tests(test::ForceMaker::num_tests);
+    tbb::parallel_for(std::size_t{0}, tests.size(), [&](std::size_t i) {
+        tests[i] = test::ForceMaker::pressed(static_cast<int>(i));
+    });
     const PressResponse response = make_press_response(test::stated_press(), 3.25e-3);
     std::map<std::string, test::Tally> tallies;
+    unsigned seed = first_seed;
     int failed = 0;
-    for (const test::ForceMaker::Plan& plan : plans) {
-        failed += plan.failed ? 1 : 0;
-        if (plan.failed) continue;
-        const Explanation found =
-            explain(make_curve_problem(plan.measured, force_noise(),
-                                       force_curve_bench(response, plan.measured.abscissae)),
-                    curve_options());
-        const bool known = std::find(effects.begin(), effects.end(), plan.kind) != effects.end();
-        test::count(tallies, {plan.kind, known}, found.verdict);
+    for (const auto& [kind, number] : numbers_of_cases(effects, {"sine", "slip", "hysteresis"})) {
+        for (int i = 0; i < number; ++i) {
+            const MeasuredCurve curve = test::ForceMaker(seed++).make(kind, tests);
+            failed += curve.abscissae.empty() ? 1 : 0;
+            if (curve.abscissae.empty()) continue;
+            const Explanation found =
+                explain(make_curve_problem(curve, force_noise(),
+                                           force_curve_bench(response, curve.abscissae)),
+                        curve_options());
+            const bool known = std::find(effects.begin(), effects.end(), kind) != effects.end();
+            test::count(tallies, {kind, known}, found.verdict);
+        }
     }
     test::print(tallies);
-    fmt::print("\n{} press tests found no state of rest and are left out\n", failed);
+    fmt::print("\n{} cases of press tests without a state of rest are left out\n", failed);
 }
 
 }  // namespace
