@@ -10,15 +10,18 @@ namespace {
 
 constexpr double weight_floor = 0.05;
 
+/// A background of no length is one of each point.
+constexpr double smallest_length = 1e-6;
+
 }  // namespace
 
 CurveNoise force_noise()
 {
-    return {.point_sd = 0.01,
+    return {.point_sd = 0.015,
             .absolute_sd = 0.0,
-            .scale_sd = 0.01,
+            .scale_sd = 0.02,
             .zero_sd = 0.0,
-            .background_sd = 0.02,
+            .background_sd = 0.03,
             .background_length = 0.15};
 }
 
@@ -51,8 +54,11 @@ CurveWeights make_curve_weights(const std::vector<double>& abscissae,
     const double length = noise.background_length * (x[n - 1] - x[0]);
     const Eigen::VectorXd size = noise.background_sd * relative;
     result.covariance =
-        result.nuisance +
-        (size * size.transpose()).cwiseProduct((-result.distances.array() / length).exp().matrix());
+        result.nuisance + (size * size.transpose())
+                              .cwiseProduct((-result.distances.array() /
+                                             std::max(length, smallest_length * (x[n - 1] - x[0])))
+                                                .exp()
+                                                .matrix());
     const Eigen::ArrayXd own =
         (noise.point_sd * y).square() + noise.absolute_sd * noise.absolute_sd;
     // A floor of a thousandth of the largest value: no reading has more digits.

@@ -18,9 +18,9 @@ struct CurveNoise {
     double background_length = 0.0;
 };
 
-/// Of a press test's force [N]. 1 % of a point, as in `calibrate`; a net of wires is off by up to
-/// 2 % where its nodes come to touch (nets of 16 to 24 crossings around, stroke 0.5 to 3.5 mm);
-/// load cells are calibrated to 1 %.
+/// Of a press test's force [N]. 1.5 % of a point; 3 % that changes along the curve, as nets of 16
+/// and 24 crossings around do where their nodes come to touch the bench, 4 % at most (stroke 0.5 to
+/// 3.5 mm); 2 % in common, of the load cell's calibration and of the bench's sizes.
 CurveNoise force_noise();
 
 /// Of a bench's pressure drop [Pa]. Gauges for some 100 Pa are good to 0.5 % and 0.1 Pa, with a

@@ -32,7 +32,7 @@ public:
         Truth truth{hidden.stated.fluid.viscosity, 1.0, 0.0, uniform(0.92, 1.08), 1.0};
         if (effect == "viscosity") truth.viscosity *= 1.0 + sign() * uniform(0.08, 0.2);
         if (effect == "density") truth.density = std::exp(sign() * uniform(0.15, 0.45));
-        if (effect == "leakage") truth.gap = uniform(0.05e-3, 0.25e-3);
+        if (effect == "leakage") truth.gap = uniform(0.15e-3, 0.45e-3);
         if (effect == "second_layer") truth.layers = uniform(2.0, 2.2);
         if (effect == "missing_inertia") hidden.stated.law = BraidStokesLaw{false};
         const double highest = uniform(0.3, 0.5);
