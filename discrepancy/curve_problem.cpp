@@ -21,7 +21,7 @@ DiagnosisProblem curve_problem_of(const CurveWeights& weights)
     problem.distances = weights.distances;
     problem.correlation_length = implementation_length * range;
     problem.unknown_amplitudes = {0.02, 0.04, 0.08, 0.16, 0.32};
-    for (const double length : {0.06, 0.12, 0.25, 0.5})
+    for (const double length : {0.06, 0.12, 0.25})
         problem.unknown_lengths.push_back(length * range);
     return problem;
 }

@@ -45,7 +45,7 @@ Model with_effects(const CurveBench<Model>& bench, const std::vector<ActiveEffec
 }
 
 /// The problem without its candidates and its residuals: everything that is alike for all curves.
-/// The unknown effect moves the curve by 2 to 32 % over 0.06 to 0.5 of its range.
+/// The unknown effect moves the curve by 2 to 32 % over 0.06 to 0.25 of its range.
 DiagnosisProblem curve_problem_of(const CurveWeights& weights);
 
 /// Relative residuals (`CurveWeights`).
