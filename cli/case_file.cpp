@@ -2,6 +2,7 @@
 
 #include "cli/foam_keys.hpp"
 #include "cli/key_checks.hpp"
+#include "cli/porous_keys.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 #include "core/toml_reader.hpp"
@@ -116,59 +117,6 @@ std::optional<CarreauYasuda> read_rheology(const TomlTable& table)
             fmt::format("{} = \"{}\": {}", table.where("rheology"), name, error.what()));
     }
     return blood;
-}
-
-Fluid read_fluid(const TomlTable& table)
-{
-    Fluid fluid;
-    fluid.density = positive_or(table, "density", Dimension::density, fluid.density);
-    fluid.viscosity =
-        positive_or(table, "viscosity", Dimension::dynamic_viscosity, fluid.viscosity);
-    return fluid;
-}
-
-ConstantLaw read_constant_law(const TomlTable& table)
-{
-    ConstantLaw law;
-    law.loss.linear =
-        require_not_negative(table, "pressure_loss_linear",
-                             table.quantity("pressure_loss_linear", Dimension::linear_loss));
-    law.loss.quadratic = require_not_negative(
-        table, "pressure_loss_quadratic",
-        table.quantity_or("pressure_loss_quadratic", Dimension::quadratic_loss, 0.0));
-    return law;
-}
-
-MeasuredLaw read_measured_keys(const TomlTable& table)
-{
-    const std::filesystem::path file = file_path(table, "loss_table");
-    Fluid bench;
-    bench.density = require_positive(table, "bench_density",
-                                     table.quantity("bench_density", Dimension::density));
-    bench.viscosity = require_positive(
-        table, "bench_viscosity", table.quantity("bench_viscosity", Dimension::dynamic_viscosity));
-    return read_measured_law(file, bench);
-}
-
-/// A law whose correlation is fitted up to a velocity.
-template <typename Law>
-Law read_fitted_law(const TomlTable& table)
-{
-    return {.fit_velocity =
-                positive_or(table, "fit_velocity", Dimension::velocity, Law{}.fit_velocity)};
-}
-
-ResistanceLaw read_law(const TomlTable& table)
-{
-    const std::string name = one_of(table, "law", BraidStokesLaw::name, law_names());
-    if (name == BrundrettLaw::name) return read_fitted_law<BrundrettLaw>(table);
-    if (name == GedeonWoodLaw::name) return read_fitted_law<GedeonWoodLaw>(table);
-    if (name == ErgunLaw::name) return ErgunLaw{};
-    if (name == IdelchikLaw::name) return IdelchikLaw{};
-    if (name == ArmourCannonLaw::name) return ArmourCannonLaw{};
-    if (name == MeasuredLaw::name) return read_measured_keys(table);
-    if (name == ConstantLaw::name) return read_constant_law(table);
-    return BraidStokesLaw{.inertia = table.boolean_or("inertia", BraidStokesLaw{}.inertia)};
 }
 
 SheetOptions read_sheet_options(const TomlTable& table)

@@ -38,6 +38,8 @@ struct DiagnoseCommand {
     std::optional<std::filesystem::path> scalars;  ///< lengths and end positions (TOML)
     std::optional<std::filesystem::path> noise;    ///< noise floor (JSON)
     bool calibrate = false;                        ///< learn the noise floor instead
+    /// In place of a surface: a press test's force curve, a bench's pressure drop (CSV).
+    std::optional<std::filesystem::path> force_curve, pressure_drop;
 };
 
 /// diagnose: finds where a measured device differs from the simulated one, names the missing effect
@@ -45,6 +47,18 @@ struct DiagnoseCommand {
 /// `output`: the folder; default `<case name>.diagnosis.out` beside the case.
 void diagnose_case(const std::filesystem::path& case_file, const DiagnoseCommand& command,
                    const CommonOptions& options);
+
+/// diagnose --force-curve, --pressure-drop: the same of a curve measured on a bench; the case is a
+/// press file or the file of a bench (`pressure_file.hpp`).
+void diagnose_force_curve(const std::filesystem::path& press_file, const DiagnoseCommand& command,
+                          const CommonOptions& options);
+void diagnose_pressure_drop(const std::filesystem::path& bench_file, const DiagnoseCommand& command,
+                            const CommonOptions& options);
+
+/// diagnose, by what was measured.
+/// @throws ConfigError unless it is one of the three
+void diagnose(const std::filesystem::path& case_file, const DiagnoseCommand& command,
+              const CommonOptions& options);
 
 /// diagnose --calibrate: learns the noise floor from measurements in which no effect is missing.
 /// `output`: the file; default `<case name>.noise.json` beside the case.

@@ -156,19 +156,17 @@ void add_diagnose_verb(CLI::App& app, Arguments& arguments)
 {
     CLI::App& verb = add_case_verb(
         app, arguments, "diagnose",
-        "find where a measured device differs from the simulated one, and why", [&arguments] {
-            if (arguments.diagnose.calibrate) {
-                learn_noise_floor(arguments.case_file, arguments.diagnose, arguments.common);
-            } else {
-                diagnose_case(arguments.case_file, arguments.diagnose, arguments.common);
-            }
-        });
+        "find where a measured device differs from the simulated one, and why",
+        [&arguments] { diagnose(arguments.case_file, arguments.diagnose, arguments.common); });
     DiagnoseCommand& command = arguments.diagnose;
     verb.add_option("--measured", command.measured,
                     "the device's surface: STL, VTP, VTK, PLY, OBJ, or points as CSV or XYZ; "
                     "repeatable with --calibrate")
-        ->required()
         ->allow_extra_args(false);
+    verb.add_option("--force-curve", command.force_curve,
+                    "in its place, of a press file: displacement_mm,force_1_mN,... (CSV)");
+    verb.add_option("--pressure-drop", command.pressure_drop,
+                    "in its place, of a bench: velocity_m_s,pressure_drop_1_Pa,... (CSV)");
     verb.add_option("--length-unit", command.length_unit,
                     "of the measured coordinates: m, cm, mm, um (CSV: stated in its header)");
     verb.add_option("--scalars", command.scalars, "measured length and end positions (TOML)");

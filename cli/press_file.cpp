@@ -1,5 +1,6 @@
 #include "cli/press_file.hpp"
 
+#include "cli/changed_keys.hpp"
 #include "cli/key_checks.hpp"
 #include "core/error.hpp"
 #include "core/toml_reader.hpp"
@@ -31,6 +32,12 @@ PressBench read_bench(const TomlTable& table)
     return bench;
 }
 
+PressReading read_reading(const TomlTable& table)
+{
+    return {table.quantity_or("zero_offset", Dimension::length, 0.0),
+            table.number_or("stiffening", 0.0)};
+}
+
 PressOptions read_options(const TomlTable& table)
 {
     PressOptions options;
@@ -42,6 +49,13 @@ PressOptions read_options(const TomlTable& table)
         integer_in_range(table, "nodes_per_ring", options.nodes_per_ring, 0, 100);
     options.bending_ratio = require_not_negative(
         table, "bending_ratio", table.number_or("bending_ratio", options.bending_ratio));
+    options.surface_factor =
+        require_positive(table, "surface_factor", table.number_or("surface_factor", 1.0));
+    options.radial_factor =
+        require_positive(table, "radial_factor", table.number_or("radial_factor", 1.0));
+    options.friction =
+        require_not_negative(table, "friction", table.number_or("friction", options.friction));
+    options.reading = read_reading(table);
     options.residual_tolerance =
         require_positive(table, "residual_tolerance",
                          table.number_or("residual_tolerance", options.residual_tolerance), 1.0);
@@ -59,6 +73,23 @@ PressFile read_press_file(const std::filesystem::path& file,
     press.options = read_options(root.table_or_empty("press"));
     root.finish();
     return press;
+}
+
+std::vector<std::string> changed_press_keys(const FlowDiverter& device_before,
+                                            const PressOptions& before,
+                                            const FlowDiverter& device_after,
+                                            const PressOptions& after)
+{
+    ChangedKeys keys;
+    keys.add("device.wire_diameter", device_before.wire_diameter, device_after.wire_diameter,
+             Dimension::length);
+    keys.add("press.friction", before.friction, after.friction);
+    keys.add("press.surface_factor", before.surface_factor, after.surface_factor);
+    keys.add("press.radial_factor", before.radial_factor, after.radial_factor);
+    keys.add("press.zero_offset", before.reading.zero_offset, after.reading.zero_offset,
+             Dimension::length);
+    keys.add("press.stiffening", before.reading.stiffening, after.reading.stiffening);
+    return keys.overrides();
 }
 
 }  // namespace braidzone

@@ -1,6 +1,7 @@
 #include "deploy/calibration.hpp"
 
 #include "core/error.hpp"
+#include "core/even_curve.hpp"
 
 #include <Eigen/Dense>
 #include <boost/math/distributions/students_t.hpp>
@@ -35,24 +36,6 @@ constexpr double coarse_net_error = 0.1;
 /// it is.
 constexpr double undetermined_error = 0.35;
 
-/// Value of a curve at equal steps, between them by Catmull and Rom's cubic.
-double interpolated(const std::vector<double>& values, double step, double x)
-{
-    const int last = static_cast<int>(values.size()) - 1;
-    const int i = std::clamp(static_cast<int>(x / step), 0, last - 1);
-    const double t = x / step - i;
-    const auto at = [&](int k) {
-        if (k < 0) return 2.0 * values[0] - values[1];
-        if (k > last)
-            return 2.0 * values[static_cast<std::size_t>(last)] -
-                   values[static_cast<std::size_t>(last - 1)];
-        return values[static_cast<std::size_t>(k)];
-    };
-    const double a = at(i - 1), b = at(i), c = at(i + 1), d = at(i + 2);
-    return b +
-           0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
-}
-
 /// The simulated press test as a function of the ratio of the coefficients.
 class UnitPress {
 public:
@@ -60,6 +43,7 @@ public:
         : device_(device), options_(std::move(options)), measured_(measured)
     {
         device_.forces = ForceSource::springs;
+        options_.surface_factor = options_.radial_factor = 1.0;
         options_.stroke = measured.points.back().displacement;
         options_.step = options_.stroke / num_states;
     }
@@ -76,7 +60,7 @@ public:
             forces.push_back(state.force);
         std::vector<double> values;
         for (const ForcePoint& point : measured_.points)
-            values.push_back(interpolated(forces, options_.step, point.displacement));
+            values.push_back(value_on_even_curve(forces, options_.step, point.displacement));
         return curves_.emplace(log_ratio, values).first->second;
     }
 

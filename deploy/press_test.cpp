@@ -331,6 +331,14 @@ private:
     int iterations_ = 0;
 };
 
+/// Applies the factors on the stiffness of arms and radial springs.
+void stiffen(WireNetwork& network, const PressOptions& options)
+{
+    network.axial_stiffness *= options.surface_factor;
+    network.bending_stiffness *= options.surface_factor;
+    network.radial = scaled(network.radial, options.radial_factor);
+}
+
 }  // namespace
 
 PressNetwork press_network(const FlowDiverter& device, const PressOptions& options)
@@ -347,6 +355,7 @@ PressNetwork press_network(const FlowDiverter& device, const PressOptions& optio
         network.axial_stiffness = std::min(stiffest_arm, wire_axial_stiffness(device));
         network.bending_stiffness = crossing_bending_stiffness(device) / (coarsening * coarsening);
         network.radial = scaled(crossing_radial_spring(device), coarsening * coarsening);
+        stiffen(network, options);
         return result;
     }
     const SpringCoefficients coefficients =
@@ -355,6 +364,7 @@ PressNetwork press_network(const FlowDiverter& device, const PressOptions& optio
     network.bending_stiffness = coefficients.bending;
     network.radial = coefficients.radial;
     result.force_scale = coefficients.force_scale;
+    stiffen(network, options);
     return result;
 }
 

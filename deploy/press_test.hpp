@@ -3,6 +3,7 @@
 #include "deploy/deploy_options.hpp"
 #include "deploy/flow_diverter.hpp"
 #include "deploy/press_geometry.hpp"
+#include "deploy/press_reading.hpp"
 #include "deploy/wire_network.hpp"
 
 #include <functional>
@@ -22,6 +23,11 @@ struct PressOptions {
     int nodes_per_ring = 0;
     /// Bending over surface coefficient of the wires at their crossings [-]; for springs only.
     double bending_ratio = DeployOptions{}.bending_ratio;
+    /// Factors on the stiffness of the arms, stretched and bent, and of the radial springs [-]: by
+    /// how much a piece is stiffer than its device's figures say.
+    double surface_factor = 1.0;
+    double radial_factor = 1.0;
+    PressReading reading;  ///< how the bench shows displacement and force
 
     double load_step = 0.125e-3;  ///< longest way of the head at a time [m]
     /// Largest force on a node at rest, over the force of the head [-].
@@ -60,6 +66,8 @@ struct PressNetwork {
 /// In a net with n' crossings around instead of n a wire stands for n / n' of them, over cells that
 /// are n / n' times as large: the stiffness of an arm stays, that of radial springs goes with the
 /// node's area, that of bending with (n' / n)^2.
+///
+/// `surface_factor` and `radial_factor` multiply arms and radial springs of either.
 /// @throws ConfigError if the device is not a braid (`validate`)
 PressNetwork press_network(const FlowDiverter& device, const PressOptions& options);
 

@@ -115,6 +115,14 @@ bool earns_its_place(const EffectFit& fit, const std::map<CandidateSet, EffectFi
     });
 }
 
+/// True if an effect ended with the amplitude zero, where bounds end: that is the set without it,
+/// and what its derivatives there promise lies beyond the bounds.
+bool has_idle_effect(const EffectFit& fit)
+{
+    return std::any_of(fit.effects.begin(), fit.effects.end(),
+                       [](const FittedEffect& effect) { return effect.values.front() == 0.0; });
+}
+
 /// The sets with the greatest evidence, no more than the beam is wide.
 std::vector<EffectFit> widest(std::vector<EffectFit> sets, int width)
 {
@@ -155,7 +163,9 @@ std::vector<EffectFit> larger_sets(const DiagnosisProblem& problem, const Eigen:
     });
     std::vector<EffectFit> accepted;
     for (EffectFit& fit : fits) {
-        if (!fit.failure.empty() || !earns_its_place(fit, known, options.least_gain)) continue;
+        if (!fit.failure.empty() || has_idle_effect(fit) ||
+            !earns_its_place(fit, known, options.least_gain))
+            continue;
         const auto [place, is_new] = known.emplace(candidates_of(fit), fit);
         if (is_new) accepted.push_back(std::move(fit));
     }

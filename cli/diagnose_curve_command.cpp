@@ -1,0 +1,234 @@
+#include "cli/commands.hpp"
+#include "cli/curve_picture.hpp"
+#include "cli/curve_report.hpp"
+#include "cli/explanation_report.hpp"
+#include "cli/output_folder.hpp"
+#include "cli/press_file.hpp"
+#include "cli/pressure_file.hpp"
+#include "cli/progress.hpp"
+#include "cli/result_files.hpp"
+#include "cli/summary.hpp"
+#include "core/error.hpp"
+#include "core/file_hash.hpp"
+#include "discrepancy/curve_diagnosis.hpp"
+#include "discrepancy/force_effects.hpp"
+#include "discrepancy/pressure_effects.hpp"
+#include "export/text_file.hpp"
+#include "porous/pressure_curve.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace braidzone {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t fewest_points = 6;
+
+/// The keys that an answer changes, as overrides of the case file.
+using ChangesOf = std::function<std::vector<std::string>(const EffectFit&)>;
+
+/// A diagnosed curve and what is written of it.
+struct CurveOutput {
+    CurveLabels labels;
+    fs::path case_file, curve_file;
+    std::vector<std::string> notes;  ///< on the device
+    ChangesOf changes_of;
+};
+
+void require_few_options(const DiagnoseCommand& command, const std::string& curve)
+{
+    const auto refuse = [&](bool is_given, const char* option) {
+        if (!is_given) return;
+        throw ConfigError(
+            fmt::format("{} has no part in the diagnosis of a {}; leave it out", option, curve));
+    };
+    refuse(command.length_unit.has_value(), "--length-unit");
+    refuse(command.scalars.has_value(), "--scalars");
+    refuse(command.noise.has_value(), "--noise");
+    refuse(command.calibrate, "--calibrate");
+}
+
+void require_points(const fs::path& file, std::size_t count)
+{
+    if (count >= fewest_points) return;
+    throw InputError(fmt::format("{}: {} points; a diagnosis needs at least {}", file.string(),
+                                 count, fewest_points));
+}
+
+/// The file of the case with an answer in it: its own text with the changed keys, after a comment
+/// that says where they come from.
+std::string answer_text(const CurveOutput& output, const std::vector<std::string>& overrides,
+                        const EffectFit& fit)
+{
+    const std::vector<std::string> changes = output.changes_of(fit);
+    std::string text = fmt::format("# {} with {}, found by braidzone diagnose in\n# {}.\n",
+                                   output.case_file.string(), name_of(fit),
+                                   fs::absolute(output.curve_file).string());
+    for (const FittedEffect& effect : fit.effects)
+        text += fmt::format("# {}: {}\n", effect.name, fmt::join(parameter_texts(effect), ", "));
+    text += fmt::format(
+        "# (from the curvature at the best fit; their coverage is not checked)\n"
+        "# ln Bayes factor against no effect {:.1f}. Changed values:\n#   {}\n\n",
+        fit.log_evidence, fmt::join(changes, "\n#   "));
+    std::vector<std::string> all = overrides;
+    all.insert(all.end(), changes.begin(), changes.end());
+    const TomlTable root = TomlTable::read_file(output.case_file, all);
+    const TomlTable porous = root.table_or_empty("porous");
+    if (porous.has("loss_table")) {
+        // Its path is relative to the case file, which the new one does not stand beside.
+        all.push_back(fmt::format(
+            "porous.loss_table=\"{}\"",
+            fs::absolute(root.folder() / porous.text("loss_table")).lexically_normal().string()));
+    }
+    return text + TomlTable::read_file(output.case_file, all).document_text() + "\n";
+}
+
+Json input_as_json(const fs::path& file)
+{
+    return {{"path", fs::absolute(file).lexically_normal().string()},
+            {"sha256", sha256_of_file(file)}};
+}
+
+void write_results(OutputFolder& folder, const CurveDiagnosis& diagnosis, const CurveOutput& output,
+                   const std::vector<std::string>& overrides, Progress& progress)
+{
+    write_curve_picture(folder.path() / "curve.png", diagnosis, output.labels);
+    for (const Answer& answer : diagnosis.explanation.verdict.answers) {
+        write_text_file(
+            folder.path() / fmt::format("case_with_{}.toml", fmt::join(answer.effects, "_and_")),
+            answer_text(output, overrides, diagnosis.explanation.fits[answer.fit]));
+    }
+    progress.end();
+    Json json = {{"program", program_name}};
+    json.update(curve_as_json(diagnosis, output.labels));
+    json["device_notes"] = output.notes;
+    json["inputs"] = {{"case", input_as_json(output.case_file)},
+                      {"measured", input_as_json(output.curve_file)}};
+    json["files"] = files_in(folder.path());
+    for (const StageTime& time : progress.times())
+        json["times_s"][time.stage] = time.seconds;
+    write_text_file(folder.path() / "diagnosis.json", json.dump(1) + "\n");
+    folder.commit();
+}
+
+void print_results(const OutputFolder& folder, const CurveDiagnosis& diagnosis,
+                   const CurveOutput& output)
+{
+    fmt::print("{}", curve_summary(diagnosis));
+    for (const std::string& note : output.notes)
+        fmt::print("  note: {}\n", note);
+    fmt::print("  {:<12}{}\n", "results", folder.final_path().string());
+}
+
+OutputFolder folder_for(const fs::path& case_file, const CommonOptions& options)
+{
+    return OutputFolder(
+        options.output.value_or(fs::path(case_file).replace_extension(".diagnosis.out")),
+        options.force, "diagnosis.json");
+}
+
+/// Searches the bench's effects and writes what was found.
+template <typename Model>
+void finish(OutputFolder& folder, const MeasuredCurve& measured, const CurveNoise& noise,
+            const CurveBench<Model>& bench, const CurveOutput& output, const CommonOptions& options,
+            Progress& progress)
+{
+    ExplainOptions explain_options = curve_options();
+    explain_options.on_progress = [&](const std::string& doing) {
+        progress.begin("diagnose", doing);
+    };
+    progress.begin("diagnose", "trying effects");
+    const CurveDiagnosis diagnosis = diagnose_curve(measured, noise, bench, explain_options);
+    progress.begin("export", "writing the results");
+    write_results(folder, diagnosis, output, options.overrides, progress);
+    if (!options.quiet) print_results(folder, diagnosis, output);
+}
+
+}  // namespace
+
+void diagnose(const fs::path& case_file, const DiagnoseCommand& command,
+              const CommonOptions& options)
+{
+    const int given = (command.measured.empty() ? 0 : 1) + (command.force_curve ? 1 : 0) +
+                      (command.pressure_drop ? 1 : 0);
+    if (given != 1) {
+        throw ConfigError(
+            fmt::format("diagnose takes one of --measured, --force-curve and --pressure-drop; {} "
+                        "are given",
+                        given));
+    }
+    if (command.force_curve) return diagnose_force_curve(case_file, command, options);
+    if (command.pressure_drop) return diagnose_pressure_drop(case_file, command, options);
+    if (command.calibrate) return learn_noise_floor(case_file, command, options);
+    diagnose_case(case_file, command, options);
+}
+
+void diagnose_force_curve(const fs::path& press_file, const DiagnoseCommand& command,
+                          const CommonOptions& options)
+{
+    require_few_options(command, "force curve");
+    const PressFile file = read_press_file(press_file, options.overrides);
+    const ForceCurve curve = read_force_curve(*command.force_curve);
+    require_points(*command.force_curve, curve.points.size());
+    MeasuredCurve measured;
+    measured.standard_error = curve.deviation / std::sqrt(curve.num_repeats);
+    for (const ForcePoint& point : curve.points) {
+        measured.abscissae.push_back(point.displacement);
+        measured.ordinates.push_back(point.force);
+    }
+    OutputFolder folder = folder_for(press_file, options);
+    Progress progress(options.quiet);
+    progress.begin("press", "pressing the device");
+    PressResponseOptions press_options;
+    press_options.on_progress = [&](int done, int all) {
+        progress.begin("press", fmt::format("press tests: {} of {} done", done, all));
+    };
+    const CurveBench<PressModel> bench = force_curve_bench(
+        make_press_response({file.device, file.options}, measured.abscissae.back(), press_options),
+        measured.abscissae);
+    const auto changes_of = [&](const EffectFit& fit) {
+        const PressModel after = with_effects(bench, active_effects(fit));
+        return changed_press_keys(bench.base.device, bench.base.options, after.device,
+                                  after.options);
+    };
+    finish(folder, measured, force_noise(), bench,
+           {{"force curve", "displacement", "mm", 1e-3, "force", "mN", 1e-3},
+            press_file,
+            *command.force_curve,
+            file.device_notes,
+            changes_of},
+           options, progress);
+}
+
+void diagnose_pressure_drop(const fs::path& bench_file, const DiagnoseCommand& command,
+                            const CommonOptions& options)
+{
+    require_few_options(command, "pressure drop");
+    const PressureFile file = read_pressure_file(bench_file, options.overrides);
+    const RepeatCurve curve = read_pressure_curve(*command.pressure_drop);
+    require_points(*command.pressure_drop, curve.abscissae.size());
+    const MeasuredCurve measured{curve.abscissae, curve.means,
+                                 curve.deviation / std::sqrt(curve.num_repeats)};
+    OutputFolder folder = folder_for(bench_file, options);
+    Progress progress(options.quiet);
+    const CurveBench<PressureBench> bench = pressure_curve_bench(file.bench, measured.abscissae);
+    const auto changes_of = [&](const EffectFit& fit) {
+        return changed_pressure_keys(bench.base, with_effects(bench, active_effects(fit)));
+    };
+    finish(folder, measured, pressure_noise(), bench,
+           {{"pressure drop", "velocity", "m/s", 1.0, "pressure drop", "Pa", 1.0},
+            bench_file,
+            *command.pressure_drop,
+            file.device_notes,
+            changes_of},
+           options, progress);
+}
+
+}  // namespace braidzone
