@@ -38,6 +38,7 @@ struct DiagnoseCommand {
     std::optional<std::filesystem::path> scalars;  ///< lengths and end positions (TOML)
     std::optional<std::filesystem::path> noise;    ///< noise floor (JSON)
     bool calibrate = false;                        ///< learn the noise floor instead
+    bool separability = false;                     ///< tell what could be told apart instead
     /// In place of a surface: a press test's force curve, a bench's pressure drop (CSV).
     std::optional<std::filesystem::path> force_curve, pressure_drop;
 };
@@ -59,6 +60,11 @@ void diagnose_pressure_drop(const std::filesystem::path& bench_file, const Diagn
 /// @throws ConfigError unless it is one of the three
 void diagnose(const std::filesystem::path& case_file, const DiagnoseCommand& command,
               const CommonOptions& options);
+
+/// diagnose --separability: tells which effects a measurement of this case could tell apart, before
+/// there is one. `output`: the file; default `<case name>.separability.json` beside the case.
+void tell_separability(const std::filesystem::path& case_file, const DiagnoseCommand& command,
+                       const CommonOptions& options);
 
 /// diagnose --calibrate: learns the noise floor from measurements in which no effect is missing.
 /// `output`: the file; default `<case name>.noise.json` beside the case.

@@ -156,6 +156,7 @@ void finish(OutputFolder& folder, const MeasuredCurve& measured, const CurveNois
 void diagnose(const fs::path& case_file, const DiagnoseCommand& command,
               const CommonOptions& options)
 {
+    if (command.separability) return tell_separability(case_file, command, options);
     const int given = (command.measured.empty() ? 0 : 1) + (command.force_curve ? 1 : 0) +
                       (command.pressure_drop ? 1 : 0);
     if (given != 1) {

@@ -173,9 +173,12 @@ void add_diagnose_verb(CLI::App& app, Arguments& arguments)
     verb.add_option("--noise", command.noise, "noise floor (JSON; default: shipped values)");
     verb.add_flag("--calibrate", command.calibrate,
                   "learn the noise floor from several measurements without an effect");
+    verb.add_flag("--separability", command.separability,
+                  "tell which effects could be told apart, before there is a measurement");
     add_output_options(verb, arguments.common,
                        "folder for the results (default: CASE.diagnosis.out beside the case), or "
-                       "file of the noise floor (CASE.noise.json)");
+                       "file of the noise floor (CASE.noise.json) or of the separability "
+                       "(CASE.separability.json)");
 }
 
 void add_devices_verb(CLI::App& app, Arguments& arguments)

@@ -17,8 +17,6 @@ constexpr double longest_step = 0.1;
 constexpr int most_halvings = 12;
 /// Armijo's: the share of the predicted fall of the energy that a step must bring.
 constexpr double least_fall = 1e-4;
-/// First shift of a Hessian that is not positive definite, over its largest diagonal entry.
-constexpr double first_shift = 1e-3;
 /// Change of the energy that is rounding, over the energy.
 constexpr double rounding = 1e-12;
 
@@ -88,7 +86,9 @@ public:
 
     /// Second derivatives of the energy by the radii of some nodes.
     /// @param place  |N| row of each node, -1 for those that are held
-    std::vector<Eigen::Triplet<double>> hessian(const std::vector<int>& place) const
+    /// @param softening  false: without what arms in compression and springs that give way take off
+    ///                   the stiffness, so that it is positive definite
+    std::vector<Eigen::Triplet<double>> hessian(const std::vector<int>& place, bool softening) const
     {
         std::vector<Eigen::Triplet<double>> entries;
         const auto add = [&](int a, int b, double value) {
@@ -99,10 +99,11 @@ public:
         for (int ring = 0; ring < lattice.num_rings; ++ring) {
             for (int column = 0; column < lattice.nodes_per_ring; ++column) {
                 const int node = lattice.node(ring, column);
-                add(node, node, own_stiffness(node, ring));
+                const double own = own_stiffness(node, ring);
+                add(node, node, softening ? own : std::max(own, 0.0));
                 for (const int step : lattice.arm_steps) {
                     if (ring + 1 < lattice.num_rings)
-                        add_arm(node, lattice.node(ring + 1, column + step), add);
+                        add_arm(node, lattice.node(ring + 1, column + step), softening, add);
                     if (ring > 0 && ring + 1 < lattice.num_rings) {
                         add_bend(lattice.node(ring - 1, column - step), node,
                                  lattice.node(ring + 1, column + step), add);
@@ -143,16 +144,17 @@ private:
 
     /// c ((1 - l0 / l) e_a . e_b + l0 / l (d . e_a)(d . e_b)) with d along the arm.
     template <typename Add>
-    void add_arm(int a, int b, const Add& add) const
+    void add_arm(int a, int b, bool softening, const Add& add) const
     {
         const Vec3 arm = nodes_[index(b)] - nodes_[index(a)];
         const double length = arm.norm();
         const double ratio = braid_.lattice.arm_length / length;
+        const double across = softening ? 1.0 - ratio : std::max(0.0, 1.0 - ratio);
         const Vec3 along = arm / length;
         const auto between = [&](int i, int j) {
             const Vec3 &ray = braid_.rays[index(i)], &other = braid_.rays[index(j)];
             return coefficients_.surface *
-                   ((1.0 - ratio) * ray.dot(other) + ratio * along.dot(ray) * along.dot(other));
+                   (across * ray.dot(other) + ratio * along.dot(ray) * along.dot(other));
         };
         add(a, a, between(a, a));
         add(b, b, between(b, b));
@@ -198,19 +200,16 @@ Step newton_step(const Shape& shape, double largest)
     const auto n = static_cast<Eigen::Index>(free_forces.size());
     Step step{.radii = std::vector<double>(place.size(), 0.0)};
     if (n == 0) return step;
-    const std::vector<Eigen::Triplet<double>> entries = shape.hessian(place);
-    Eigen::SparseMatrix<double> hessian(n, n);
-    hessian.setFromTriplets(entries.begin(), entries.end());
-    const double stiffest = hessian.diagonal().cwiseAbs().maxCoeff();
-    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor;
-    factor.analyzePattern(hessian);
-    double shift = 0.0;
-    factor.factorize(hessian);
-    while (factor.info() != Eigen::Success) {
-        step.is_convex = false;
-        shift = shift == 0.0 ? first_shift * stiffest : 4.0 * shift;
-        factor.setShift(shift);
-        factor.factorize(hessian);
+    // Ring by ring the matrix is a band as wide as three rings.
+    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>
+        factor;
+    for (const bool softening : {true, false}) {
+        const std::vector<Eigen::Triplet<double>> entries = shape.hessian(place, softening);
+        Eigen::SparseMatrix<double> hessian(n, n);
+        hessian.setFromTriplets(entries.begin(), entries.end());
+        step.is_convex = softening;
+        factor.compute(hessian);
+        if (factor.info() == Eigen::Success) break;
     }
     const Eigen::VectorXd change =
         factor.solve(Eigen::Map<const Eigen::VectorXd>(free_forces.data(), n));

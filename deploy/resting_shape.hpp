@@ -25,8 +25,8 @@ struct RestingShape {
 ///
 /// by a projected Newton method. Nodes that are pressed on their stops are held, the step of the
 /// others solves H dr = f with H the Hessian of E over them (`spring_forces.hpp`,
-/// `wire_bending.hpp`), made positive definite where it is not, is cut off at the stops and halved
-/// until the energy falls.
+/// `wire_bending.hpp`), where that is not positive definite without the softening of compressed
+/// arms; it is cut off at the stops and halved until the energy falls.
 ///
 /// It is the shape that the damped motion of `opening_braid.hpp` ends in, found in about ten
 /// iterations: where the wall holds a node and no friction lets it slide, the way there leaves no

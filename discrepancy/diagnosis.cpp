@@ -100,8 +100,8 @@ void compare(Diagnosis& diagnosis, const DiagnosisProblem& problem, const Diagno
     diagnosis.everywhere = compared(all);
     diagnosis.in_zone = compared(diagnosis.zone);
     const std::vector<std::vector<int>> folds = surface_folds(field);
-    diagnosis.held_out = held_out_gap(problem, diagnosis.explanation, folds, held_out_buffer,
-                                      options.explain);
+    diagnosis.held_out =
+        held_out_gap(problem, diagnosis.explanation, folds, held_out_buffer, options.explain);
     diagnosis.gap_held_out = {static_cast<int>(all.size()),
                               gap_figures(diagnosis.held_out.before, smoothing, all),
                               gap_figures(diagnosis.held_out.after, smoothing, all),
@@ -112,16 +112,22 @@ void compare(Diagnosis& diagnosis, const DiagnosisProblem& problem, const Diagno
 
 }  // namespace
 
+EffectSetting effect_setting(const Model& base, const Simulation& simulation,
+                             const std::vector<Vec3>& points)
+{
+    return {.base = base,
+            .from = proximal_end(simulation.deployment),
+            .to = distal_end(simulation.deployment),
+            .middle = mean_of(points)};
+}
+
 Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> points,
                    const MeasuredScalars& scalars, const std::vector<Effect>& catalogue,
                    const DiagnoseOptions& options)
 {
     Simulation simulation = simulate(base, lumen);
     require_comparable(points, base.imaging, simulation, lumen);
-    EffectSetting setting{.base = base,
-                          .from = proximal_end(simulation.deployment),
-                          .to = distal_end(simulation.deployment),
-                          .middle = mean_of(points)};
+    EffectSetting setting = effect_setting(base, simulation, points);
     DiscrepancyField field =
         make_discrepancy_field(points, base.imaging, simulation, options.patches);
     if (static_cast<int>(field.patches.size()) < fewest_patches) {

@@ -44,6 +44,10 @@ struct Diagnosis {
     double background = 1.0;  ///< `background_scale` of the best model
 };
 
+/// What the effects start from, for measured points.
+EffectSetting effect_setting(const Model& base, const Simulation& simulation,
+                             const std::vector<Vec3>& points);
+
 /// Finds where a measured device differs from the simulated one, and which effect explains it.
 ///
 /// @param base    the case
