@@ -107,6 +107,24 @@ Json fit_as_json(const EffectFit& fit, const Explanation& explanation)
     return json;
 }
 
+/// "local_push -0.21 (spacing_change)": what would have been seen in 8 of 10 such measurements.
+std::vector<std::string> limit_texts(const Explanation& explanation)
+{
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < explanation.num_singles; ++i) {
+        if (!explanation.limits[i]) continue;
+        const FittedEffect& effect = explanation.fits[i].effects.front();
+        const EffectParameter& first = effect.parameters.front();
+        const double amplitude = explanation.limits[i]->amplitude;
+        if (amplitude > std::max(first.upper - first.prior_mean, first.prior_mean - first.lower))
+            continue;  // never within its bounds
+        texts.push_back(fmt::format("{} of {:.2g}{} ({})", effect.name,
+                                    amplitude / reported_unit(first),
+                                    first.unit == "1" ? "" : " " + first.unit, first.name));
+    }
+    return texts;
+}
+
 Json answers_as_json(const Verdict& verdict)
 {
     Json answers = Json::array();
@@ -136,8 +154,9 @@ std::string explanation_answer(const Explanation& explanation, const HeldOutGap&
     const Verdict& verdict = explanation.verdict;
     if (verdict.finding == Finding::nothing_missing) {
         return fmt::format(
-            "Nothing is missing: measurement and simulation agree within the noise floor of {}.",
-            floor);
+            "Nothing is missing: measurement and simulation agree within the noise floor of {}. "
+            "In 8 of 10 such measurements would have been seen: {}.",
+            floor, fmt::join(limit_texts(explanation), ", "));
     }
     if (verdict.finding == Finding::unknown) {
         return "Something is missing, but none of the known effects explains it." +
@@ -173,6 +192,15 @@ Json explanation_as_json(const Explanation& explanation, const HeldOutGap& held_
     json["effects"] = Json::array();
     for (const EffectFit& fit : explanation.fits)
         json["effects"].push_back(fit_as_json(fit, explanation));
+    for (std::size_t i = 0; i < explanation.num_singles; ++i) {
+        const EffectParameter& first = explanation.fits[i].effects.front().parameters.front();
+        json["effects"][i]["detection_limit"] =
+            explanation.limits[i]
+                ? Json{{"parameter", first.name},
+                       {"value", explanation.limits[i]->amplitude / reported_unit(first)},
+                       {"unit", first.unit}}
+                : Json();
+    }
     json["folds"] = {{"choices", held_out.choices},
                      {"num_same_as_all_data", held_out.num_same},
                      {"log_score_gain", held_out.log_score_gain}};

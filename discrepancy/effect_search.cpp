@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -175,15 +176,16 @@ std::vector<EffectFit> larger_sets(const DiagnosisProblem& problem, const Eigen:
 }  // namespace
 
 std::vector<EffectFit> find_sets(const DiagnosisProblem& problem, const Eigen::VectorXd& base,
-                                 const std::vector<EffectFit>& singles,
-                                 const SearchOptions& options)
+                                 const std::vector<EffectFit>& singles, const SearchOptions& given)
 {
+    SearchOptions options = given;
+    options.least_gain += std::log(std::max(1.0, static_cast<double>(singles.size()) - 1.0));
     std::map<CandidateSet, EffectFit> known;
     std::vector<EffectFit> beam;
     for (const EffectFit& single : singles) {
         if (!single.failure.empty()) continue;
         known.emplace(candidates_of(single), single);
-        if (single.log_evidence >= options.least_gain) beam.push_back(single);
+        if (single.log_evidence >= given.least_gain) beam.push_back(single);
     }
     std::vector<EffectFit> sets;
     for (int size = 2; size <= options.most_effects && !beam.empty(); ++size) {

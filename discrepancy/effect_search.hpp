@@ -11,7 +11,8 @@ struct SearchOptions {
     int width = 3;           ///< sets that are carried on from one size to the next
     int most_additions = 3;  ///< tried for each of them
     /// What an addition must gain in log evidence over the set without it, and what the new set
-    /// must be ahead of every part of it.
+    /// must be ahead of every part of it, besides ln(n - 1) for the choice among the n - 1 other
+    /// candidates: a Bayes factor of 20.
     double least_gain = 3.0;
     /// How wrong an effect's shape may be, over its size.
     double implementation_error = 0.2;

@@ -86,6 +86,11 @@ Explanation explain(const DiagnosisProblem& problem, const ExplainOptions& optio
 
     explanation.fits = fit_singles(problem, whitening, base, options);
     explanation.num_singles = explanation.fits.size();
+    for (std::size_t i = 0; i < explanation.num_singles; ++i) {
+        explanation.limits.push_back(detection_limit(explanation.fits[i], base,
+                                                     problem.candidates[i], whitening,
+                                                     options.verdict.effect_bar));
+    }
     if (may_miss_something(explanation, options.verdict)) {
         if (options.on_progress) options.on_progress("looking for several effects");
         std::vector<EffectFit> sets = find_sets(problem, base, explanation.fits, options.search);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "discrepancy/detection_limit.hpp"
 #include "discrepancy/effect_search.hpp"
 #include "discrepancy/verdict.hpp"
 
@@ -24,6 +25,8 @@ struct Explanation {
     /// Of the candidates, each alone, in their order; then of sets of several.
     std::vector<EffectFit> fits = {};
     std::size_t num_singles = 0;
+    /// Of each candidate alone: the smallest amplitude that would have been seen.
+    std::vector<std::optional<DetectionLimit>> limits = {};
     std::vector<NamedEvidence> named = {};  ///< of the fits that did not fail
     double log_evidence_unknown = 0.0;      ///< `UnknownEffect`
     double log_evidence_scalars = 0.0;      ///< `unknown_scalars_evidence`

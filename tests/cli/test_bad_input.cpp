@@ -638,7 +638,10 @@ TEST(BadCommandLine, EndsWithStatus2)
     const std::vector<std::pair<std::vector<std::string>, std::string>> commands = {
         {{}, "subcommand"},
         {{"calibrate", "case.toml"}, "--measured is required"},
-        {{"diagnose", "case.toml"}, "--measured is required"},
+        {{"diagnose", "case.toml"},
+         "takes one of --measured, --force-curve and --pressure-drop; 0 are given"},
+        {{"diagnose", "case.toml", "--separability", "--measured", "m.csv"},
+         "before there is one; leave --measured and --scalars out"},
         {{"stent", "case.toml"}, "stent"},
         {{"run"}, "CASE is required"},
         {{"run", "case.toml", "--colour"}, "--colour"},

@@ -81,17 +81,24 @@ TEST(DiagnoseVerb, NamesTheHiddenPushAndWritesACaseWithIt)
     EXPECT_EQ(result["answer"]["finding"], "named");
     EXPECT_EQ(result["answer"]["effects"], nlohmann::json::parse(R"([["local_push"]])"));
     EXPECT_GT(fs::file_size(output / "discrepancy.png"), 1000u);
+    EXPECT_GT(result["gaps"]["held_out"]["before"]["rms"]["value"].get<double>(), 0.0);
+    EXPECT_EQ(result["folds"]["choices"].size(), 8u);
+    const std::string page = first_lines(output / "report.html", 100000);
+    EXPECT_THAT(
+        page, testing::AllOf(HasSubstr("local_push: the operator pushed"),
+                             HasSubstr("data:image/png;base64,"), testing::EndsWith("</html>\n")));
 
     // The new case holds the push that the diagnosis reports.
     const Case fixed = read_case(output / "case_with_local_push.toml");
     ASSERT_EQ(fixed.schedule.windows.size(), 1u);
     for (const auto& effect : result["effects"]) {
         if (effect["effect"] != "local_push") continue;
+        const auto& parameters = effect["parameters"]["local_push"];
         EXPECT_NEAR(fixed.schedule.windows[0].spacing,
-                    1.0 + effect["parameters"]["spacing_change"]["value"].get<double>(), 1e-9);
+                    1.0 + parameters["spacing_change"]["value"].get<double>(), 1e-9);
         EXPECT_NEAR(0.5e3 * (fixed.schedule.windows[0].from + fixed.schedule.windows[0].to),
-                    effect["parameters"]["centre"]["value"].get<double>(), 1e-6);
-        EXPECT_NEAR(effect["parameters"]["centre"]["value"].get<double>(), 15.0, 1.0);
+                    parameters["centre"]["value"].get<double>(), 1e-6);
+        EXPECT_NEAR(parameters["centre"]["value"].get<double>(), 15.0, 1.0);
     }
     EXPECT_THAT(first_lines(output / "case_with_local_push.toml", 9),
                 testing::AllOf(HasSubstr("found by braidzone diagnose"),

@@ -32,7 +32,10 @@ TEST(RunChain, DeploysInTheStraightenedVesselAsADiagnosisDoes)
 
     const Lumen lumen = lumen_of(job);
     const Simulation simulation = simulate(model_of(job, lumen.centerline), lumen);
-    EXPECT_EQ(simulation.deployment.nodes, chain.deployment.nodes);
+    // A diagnosis solves for the shape at rest, a run moves there: within 50 nm.
+    ASSERT_EQ(simulation.deployment.nodes.size(), chain.deployment.nodes.size());
+    for (std::size_t i = 0; i < simulation.deployment.nodes.size(); ++i)
+        ASSERT_LT((simulation.deployment.nodes[i] - chain.deployment.nodes[i]).norm(), 50e-9);
 
     // Half of the turn goes between 11 and 19 mm, where the window is full.
     const auto turn = [](const Centerline& line) {

@@ -7,6 +7,7 @@
 #include "support/hidden/spacing_stretch.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -69,7 +70,10 @@ TEST(Diagnose, NamesAndPlacesAHiddenPush)
                                       catalogue_of({"local_push", "nominal_diameter", "blooming",
                                                     "vessel_offset", "landing_offset"}));
     EXPECT_EQ(found.explanation.verdict.finding, Finding::named);
-    ASSERT_EQ(found.explanation.verdict.answers.size(), 1u);
+    std::string answers;
+    for (const Answer& answer : found.explanation.verdict.answers)
+        answers += fmt::format(" [{}]", fmt::join(answer.effects, " "));
+    ASSERT_EQ(found.explanation.verdict.answers.size(), 1u) << answers;
     EXPECT_THAT(found.explanation.verdict.answers.front().effects, ElementsAre("local_push"));
     const EffectFit& fit = found.explanation.fits[*found.explanation.best];
     std::string ends;

@@ -18,6 +18,9 @@ TEST(ErrorModel, HasTheStatedCovariance)
         .points = {}, .field = test::cylinder_field(6, 2e-3), .scalars = {}};
     NoiseFloor floor;
     floor.white_scale = 1.2;
+    floor.background_sd = 0.026e-3;
+    floor.background_length = 2.2e-3;
+    floor.offset_sd = 0.02e-3;
     const Eigen::MatrixXd covariance = make_error_model(observations, floor).covariance();
     const auto& patches = observations.field.patches;
     // Patches 3 and 17, by hand: the middle of the cylinder is at half its length.
@@ -44,7 +47,10 @@ TEST(ErrorModel, GivesTheScalarsABlockOfTheirOwn)
     Observations observations{.points = {}, .field = test::cylinder_field(2, 2e-3), .scalars = {}};
     observations.scalars.values = {MeasuredValue{25e-3, 0.3e-3}, MeasuredValue{5e-3, 0.2e-3},
                                    MeasuredValue{20e-3, 0.1e-3}};
-    const Eigen::MatrixXd all = make_error_model(observations, NoiseFloor{}).covariance();
+    NoiseFloor floor;
+    floor.landing_sd = 0.15e-3;
+    floor.length_sd = 0.2e-3;
+    const Eigen::MatrixXd all = make_error_model(observations, floor).covariance();
     const Eigen::MatrixXd ends = 1e6 * all.bottomRightCorner(3, 3);  // [mm^2]
     EXPECT_NEAR(ends(0, 0), 0.09 + 0.0225, 1e-9);
     EXPECT_NEAR(ends(1, 1), 0.04 + 0.0225 + 0.04, 1e-9);

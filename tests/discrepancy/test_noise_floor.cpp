@@ -30,11 +30,11 @@ TEST(NoiseFloor, IsReadBackAsItWasWritten)
 {
     const test::TemporaryFolder folder;
     NoiseFloor floor;
-    floor.background_sd = 0.031e-3;
+    floor.background_sd = 0.047e-3;
     floor.angle_sd = 1.5 * std::numbers::pi / 180.0;
     floor.source = "12 sets";
     const NoiseFloor read = read_noise_floor(folder.write("noise.json", noise_floor_text(floor)));
-    EXPECT_NEAR(read.background_sd, 0.031e-3, 1e-18);
+    EXPECT_NEAR(read.background_sd, 0.047e-3, 1e-18);
     EXPECT_NEAR(read.angle_sd, floor.angle_sd, 1e-15);
     EXPECT_NEAR(read.length_sd, floor.length_sd, 1e-18);
     EXPECT_EQ(read.source, "12 sets");
@@ -46,9 +46,9 @@ TEST(NoiseFloor, RefusesWhatIsNone)
     const std::string text = noise_floor_text({});
     EXPECT_THAT(refusal(text, "background_sd_mm", "background_mm"),
                 HasSubstr("\"background_mm\" is not known; did you mean \"background_sd_mm\"?"));
-    EXPECT_THAT(refusal(text, "\"white_scale\": 1.0", "\"white_scale\": 0"),
+    EXPECT_THAT(refusal(text, "\"white_scale\": 0.9", "\"white_scale\": 0"),
                 HasSubstr("white_scale = 0 must be positive"));
-    EXPECT_THAT(refusal(text, "\"white_scale\": 1.0", "\"white_scale\": \"1\""),
+    EXPECT_THAT(refusal(text, "\"white_scale\": 0.9", "\"white_scale\": \"1\""),
                 HasSubstr("white_scale is missing or not a number"));
     EXPECT_THAT(refusal("[1]", "", ""), HasSubstr("is not a JSON object"));
     EXPECT_THROW(read_noise_floor("/nowhere/noise.json"), IoError);

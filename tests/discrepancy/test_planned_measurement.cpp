@@ -49,7 +49,9 @@ TEST(PlannedObservations, HaveThePlannedNoise)
 {
     const Observations planned = planned_observations(
         simulation(), {}, {.point_sd = 0.05e-3, .points_per_patch = 10, .end_sd = 0.2e-3});
-    const ErrorModel error = make_error_model(planned, {});
+    NoiseFloor floor;
+    floor.white_scale = 1.0;
+    const ErrorModel error = make_error_model(planned, floor);
     const Eigen::Index middle = error.num_patches / 2;
     EXPECT_EQ(planned.field.patches[static_cast<std::size_t>(middle)].points.size(), 10u);
     EXPECT_NEAR(error.white[middle], 1.57 * 0.05e-3 * 0.05e-3 / 10.0, 1e-13);

@@ -13,7 +13,9 @@ TEST(UnknownScalarsEvidence, IsTheMeanOfTwoNormalRatios)
 {
     Observations observations{.points = {}, .field = test::cylinder_field(3, 2e-3), .scalars = {}};
     observations.scalars.values[2] = {18e-3, 0.3e-3};
-    const DiagnosisProblem problem = test::errors_of(observations);
+    NoiseFloor floor;
+    floor.length_sd = 0.2e-3;
+    const DiagnosisProblem problem = test::errors_of(observations, floor);
     Eigen::VectorXd residuals = Eigen::VectorXd::Zero(num_residuals(observations));
     residuals[residuals.size() - 1] = 2e-3;
     const auto ratio = [](double b) {
