@@ -153,24 +153,6 @@ void finish(OutputFolder& folder, const MeasuredCurve& measured, const CurveNois
 
 }  // namespace
 
-void diagnose(const fs::path& case_file, const DiagnoseCommand& command,
-              const CommonOptions& options)
-{
-    if (command.separability) return tell_separability(case_file, command, options);
-    const int given = (command.measured.empty() ? 0 : 1) + (command.force_curve ? 1 : 0) +
-                      (command.pressure_drop ? 1 : 0);
-    if (given != 1) {
-        throw ConfigError(
-            fmt::format("diagnose takes one of --measured, --force-curve and --pressure-drop; {} "
-                        "are given",
-                        given));
-    }
-    if (command.force_curve) return diagnose_force_curve(case_file, command, options);
-    if (command.pressure_drop) return diagnose_pressure_drop(case_file, command, options);
-    if (command.calibrate) return learn_noise_floor(case_file, command, options);
-    diagnose_case(case_file, command, options);
-}
-
 void diagnose_force_curve(const fs::path& press_file, const DiagnoseCommand& command,
                           const CommonOptions& options)
 {

@@ -39,7 +39,7 @@ struct Diagnosis {
     std::optional<DiscrepancyMap> map_after = {};
     std::vector<int> zone = {};  ///< patches that the effects move, or of the clusters
     GapComparison everywhere = {}, in_zone = {};
-    HeldOutGap held_out = {};  ///< in the folds of `surface_folds`
+    HeldOutGap held_out = {};  ///< in the blocks of `surface_folds`
     GapComparison gap_held_out = {};
     double background = 1.0;  ///< `background_scale` of the best model
 };

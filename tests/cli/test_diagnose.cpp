@@ -82,7 +82,7 @@ TEST(DiagnoseVerb, NamesTheHiddenPushAndWritesACaseWithIt)
     EXPECT_EQ(result["answer"]["effects"], nlohmann::json::parse(R"([["local_push"]])"));
     EXPECT_GT(fs::file_size(output / "discrepancy.png"), 1000u);
     EXPECT_GT(result["gaps"]["held_out"]["before"]["rms"]["value"].get<double>(), 0.0);
-    EXPECT_EQ(result["folds"]["choices"].size(), 8u);
+    EXPECT_GT(result["folds"]["choices"].size(), 20u);
     const std::string page = first_lines(output / "report.html", 100000);
     EXPECT_THAT(
         page, testing::AllOf(HasSubstr("local_push: the operator pushed"),

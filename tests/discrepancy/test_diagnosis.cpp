@@ -55,11 +55,16 @@ hidden::HiddenStory push_story(double change)
     return story;
 }
 
+/// One effect at a time: how often a second one is found that is not there is a matter of rates
+/// (blind/README.md).
 Diagnosis diagnosed(const hidden::HiddenStory& story, std::uint32_t seed,
                     const std::vector<Effect>& catalogue)
 {
     const hidden::ScannedDevice scan = scan_of(story, seed);
-    return diagnose(blind::believed_model(belief()), sidewall(), scan.points, scan.ends, catalogue);
+    DiagnoseOptions options;
+    options.explain.search.most_effects = 1;
+    return diagnose(blind::believed_model(belief()), sidewall(), scan.points, scan.ends, catalogue,
+                    options);
 }
 
 }  // namespace
