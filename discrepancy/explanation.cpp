@@ -86,12 +86,12 @@ Explanation explain(const DiagnosisProblem& problem, const ExplainOptions& optio
 
     explanation.fits = fit_singles(problem, whitening, base, options);
     explanation.num_singles = explanation.fits.size();
+    const VerdictOptions bars = for_choice_among(explanation.num_singles, options.verdict);
     for (std::size_t i = 0; i < explanation.num_singles; ++i) {
-        explanation.limits.push_back(detection_limit(explanation.fits[i], base,
-                                                     problem.candidates[i], whitening,
-                                                     options.verdict.effect_bar));
+        explanation.limits.push_back(detection_limit(
+            explanation.fits[i], base, problem.candidates[i], whitening, bars.effect_bar));
     }
-    if (may_miss_something(explanation, options.verdict)) {
+    if (may_miss_something(explanation, bars)) {
         if (options.on_progress) options.on_progress("looking for several effects");
         std::vector<EffectFit> sets = find_sets(problem, base, explanation.fits, options.search);
         std::move(sets.begin(), sets.end(), std::back_inserter(explanation.fits));
@@ -102,7 +102,7 @@ Explanation explain(const DiagnosisProblem& problem, const ExplainOptions& optio
 
     explanation.named = weigh(problem, explanation, options);
     explanation.verdict = decide(explanation.named, explanation.log_evidence_unknown,
-                                 explanation.log_evidence_scalars, options.verdict);
+                                 explanation.log_evidence_scalars, bars);
     if (!explanation.verdict.answers.empty())
         explanation.best = explanation.verdict.answers.front().fit;
     const Eigen::VectorXd& after = explanation.residuals_after();

@@ -79,6 +79,7 @@ HeldOutGap held_out_gap(const DiagnosisProblem& problem, const Explanation& expl
                         const ExplainOptions& options)
 {
     const Eigen::VectorXd& base = explanation.base_residuals;
+    const VerdictOptions bars = for_choice_among(explanation.num_singles, options.verdict);
     HeldOutGap gap{.before = Eigen::VectorXd::Zero(problem.distances.rows())};
     gap.after = gap.before;
     for (const EffectFit& fit : explanation.fits)
@@ -88,7 +89,7 @@ HeldOutGap held_out_gap(const DiagnosisProblem& problem, const Explanation& expl
     for (const std::vector<int>& block : folds) {
         const Fold fold = make_fold(problem, block, buffer);
         const double none = -0.5 * fold.whitening(base(fold.rest)).squaredNorm();
-        double best = none + options.verdict.effect_bar;
+        double best = none + bars.effect_bar;
         Eigen::VectorXd after = base;
         gap.choices.emplace_back("none");
         for (std::size_t i = 0; i < explanation.fits.size(); ++i) {

@@ -30,9 +30,9 @@ struct HeldOutGap {
 ///
 /// In each fold the fits of all data are refitted to the residuals that lie further than `buffer`
 /// from the block, linear in the parameters (`linear_refit`), and the one with the greatest log
-/// evidence is chosen if that is above `effect_bar`. Single numbers are learned from in all folds.
-/// What nuisances (`DiagnosisProblem::nuisance`) do to the block is predicted from the other
-/// residuals,
+/// evidence is chosen if that is above the bar of a named effect (`for_choice_among`). Single
+/// numbers are learned from in all folds. What nuisances (`DiagnosisProblem::nuisance`) do to the
+/// block is predicted from the other residuals,
 ///
 ///     gap = r_block - N_(block, rest) C_(rest, rest)^-1 r_rest
 ///

@@ -1,6 +1,7 @@
 #include "discrepancy/verdict.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace braidzone {
@@ -22,6 +23,13 @@ bool is_part_of(const Answer& one, const Answer& other)
 }
 
 }  // namespace
+
+VerdictOptions for_choice_among(std::size_t num_candidates, const VerdictOptions& options)
+{
+    VerdictOptions result = options;
+    result.effect_bar += std::log(std::max(1.0, static_cast<double>(num_candidates)));
+    return result;
+}
 
 Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unknown,
                double log_evidence_scalars, const VerdictOptions& options)

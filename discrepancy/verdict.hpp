@@ -15,13 +15,18 @@ struct NamedEvidence {
     std::size_t fit = 0;                ///< index of its fit
 };
 
-/// Bars of the decision: quantiles on a prototype's runs without effects.
+/// Bars of the decision.
 struct VerdictOptions {
-    double effect_bar = 4.0;       ///< named effect against none: 99 %
-    double unknown_bar = 3.4;      ///< unknown effect against none: 99 %
+    /// Named effect against none; `effect_bar` adds what the choice among many costs.
+    double effect_bar = 3.0;
+    double unknown_bar = 3.4;      ///< unknown effect against none: 99 % of a prototype's runs
     double unexplained_bar = 3.4;  ///< unknown effect beside a named one
     double margin = 3.0;           ///< Bayes factor of 20: less does not decide
 };
+
+/// The options with ln n more on the bar of a named effect: the best of n Bayes factors must reach
+/// 20 once it is divided by the number of candidates it was chosen from.
+VerdictOptions for_choice_among(std::size_t num_candidates, const VerdictOptions& options);
 
 enum class Finding {
     nothing_missing,

@@ -66,8 +66,8 @@ TEST(Explain, NamesThreeTogetherButNoMoreThanAllowed)
         EXPECT_LE(fit.effects.size(), 2u);
 }
 
-// P(B > b) <= 1 / b for any Bayes factor: of 100 sets of noise and bars of e^4 and e^3.4 no more
-// than 3 x 1.8 + 3.3 alarms are expected; 18 have a chance far below 1 %.
+// P(B > b) <= 1 / b for any Bayes factor: of 100 sets of noise and bars of 3 e^3 and e^3.4 no more
+// than 3 x 1.7 + 3.3 alarms are expected; 18 have a chance far below 1 %.
 TEST(Explain, IsRarelyAlarmedByNoise)
 {
     int alarms = 0;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace braidzone {
 
 using testing::ElementsAre;
@@ -35,7 +37,7 @@ std::vector<std::string> names(const Verdict& verdict)
 TEST(Decide, FindsNothingMissingBelowTheBars)
 {
     const Verdict verdict =
-        decide({one("local_push", 3.9, 0.0, 0.0), one("blooming", 1.0, 0.0, 0.0)}, 3.3);
+        decide({one("local_push", 2.9, 0.0, 0.0), one("blooming", 1.0, 0.0, 0.0)}, 3.3);
     EXPECT_EQ(verdict.finding, Finding::nothing_missing);
     EXPECT_THAT(verdict.answers, IsEmpty());
     EXPECT_EQ(decide({}, 0.0).finding, Finding::nothing_missing);
@@ -104,6 +106,13 @@ TEST(Decide, LeavesOutWhatIsPartOfASet)
     EXPECT_EQ(verdict.finding, Finding::ambiguous);
     EXPECT_THAT(names(verdict), ElementsAre("local_push+registration", "vessel_offset"));
     EXPECT_EQ(verdict.answers.front().fit, 2u);
+}
+
+TEST(ForChoiceAmong, AsksForABayesFactorOfTwentyPerCandidate)
+{
+    EXPECT_NEAR(for_choice_among(15, {}).effect_bar, std::log(15.0) + 3.0, 1e-12);
+    EXPECT_EQ(for_choice_among(1, {}).effect_bar, 3.0);
+    EXPECT_EQ(for_choice_among(15, {}).unknown_bar, VerdictOptions{}.unknown_bar);
 }
 
 }  // namespace braidzone
