@@ -160,4 +160,15 @@ TEST(DeploymentKeys, RefuseTwistsAndIncompleteOpeningsThatCannotBe)
                 HasSubstr("did you mean \"distal\""));
 }
 
+TEST(DeploymentKeys, TakeNoMotionWhereNothingNeedsOne)
+{
+    EXPECT_EQ(read("motion = \"none\"\n").options.motion, Motion::none);
+    EXPECT_EQ(name_of(Motion::none), "none");
+    EXPECT_THAT(refusal("motion = \"none\"\nhub_freedom = 0.5\n"),
+                HasSubstr("\"none\" and hub_freedom = 0.5 exclude each other"));
+    EXPECT_THAT(refusal("motion = \"none\"\nnum_frames = 5\n"),
+                HasSubstr("leaves no shapes on the way for num_frames = 5"));
+    EXPECT_THAT(refusal("motion = \"non\"\n"), HasSubstr("did you mean \"none\""));
+}
+
 }  // namespace braidzone
