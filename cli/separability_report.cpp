@@ -62,13 +62,13 @@ std::string separability_text(const ChannelSeparability& channels)
 {
     const Separability& found = channels.separability;
     std::string text =
-        fmt::format("{}: d' of the effect in the row if that of the column is fitted\n  {:<28}none",
+        fmt::format("{}: d' of the effect in the row if that of the column is fitted\n  {:<31}none",
                     channels.channels, "");
     for (std::size_t j = 0; j < found.names.size(); ++j)
         text += fmt::format(" {:4}", j + 1);
     for (std::size_t i = 0; i < found.names.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        text += fmt::format("\n  {:2} {:<25}{}", i + 1, found.names[i], cell(found.detection[row]));
+        text += fmt::format("\n  {:2} {:<28}{}", i + 1, found.names[i], cell(found.detection[row]));
         for (Eigen::Index j = 0; j < found.detection.size(); ++j)
             text += fmt::format(" {}", cell(found.separation(row, j)));
     }

@@ -33,8 +33,8 @@ TEST(SeparabilityText, SaysWhatCannotBeSeenOrToldApart)
     EXPECT_THAT(text, HasSubstr("surface: d' of the effect in the row"));
     EXPECT_THAT(text, HasSubstr("cannot be seen: c\n"));
     EXPECT_THAT(text, HasSubstr("could be taken: b for a\n"));
-    EXPECT_THAT(text, HasSubstr(" 1 a                        12.0  0.0  2.5  9.0    -\n"));
-    EXPECT_THAT(text, HasSubstr(" 2 b                         150"));
+    EXPECT_THAT(text, HasSubstr(" 1 a                           12.0  0.0  2.5  9.0    -\n"));
+    EXPECT_THAT(text, HasSubstr(" 2 b                            150"));
 }
 
 TEST(SeparabilityJson, HasNullForWhatCouldNotBeSimulated)
