@@ -96,7 +96,7 @@ void learn_noise_floor(const fs::path& case_file, const DiagnoseCommand& command
             throw InputError(fmt::format("{}: {}", file.string(), error.what()));
         }
         observations.field = make_discrepancy_field(observations.points, model.imaging, base);
-        Eigen::VectorXd measured = residuals(observations, base, model.imaging);
+        Eigen::VectorXd measured = residuals(observations, base, model.imaging, base.surface);
         sets.push_back({std::move(observations), std::move(measured)});
     }
     progress.begin("calibrate", "learning the noise floor");

@@ -13,10 +13,10 @@ Eigen::Index num_residuals(const Observations& observations)
 }
 
 Eigen::VectorXd residuals(const Observations& observations, const Simulation& simulation,
-                          const Imaging& imaging)
+                          const Imaging& imaging, const DeviceSurface& base)
 {
     const Eigen::VectorXd medians =
-        patch_medians(observations.points, observations.field, imaging, simulation.surface);
+        patch_medians(observations.points, observations.field, imaging, simulation.surface, base);
     Eigen::VectorXd all(num_residuals(observations));
     all.head(medians.size()) = medians;
     const double distal = distal_end(simulation.deployment);

@@ -20,7 +20,8 @@ struct Observations {
 Eigen::Index num_residuals(const Observations& observations);
 
 /// Measured minus simulated [m]: medians of the patches, then the scalars that were measured.
+/// @param base  device of the base model, see `patch_medians`
 Eigen::VectorXd residuals(const Observations& observations, const Simulation& simulation,
-                          const Imaging& imaging);
+                          const Imaging& imaging, const DeviceSurface& base);
 
 }  // namespace braidzone

@@ -27,8 +27,9 @@ DiagnosisProblem surface_problem(const SurfaceData& data, const std::vector<Effe
             std::any_of(effects.begin(), effects.end(), [&](const ActiveEffect& effect) {
                 return catalogue[effect.candidate].changes_deployment;
             });
-        if (!must_deploy) return residuals(data.observations, data.base, model.imaging);
-        return residuals(data.observations, simulate(model, data.lumen), model.imaging);
+        const DeviceSurface& base = data.base.surface;
+        if (!must_deploy) return residuals(data.observations, data.base, model.imaging, base);
+        return residuals(data.observations, simulate(model, data.lumen), model.imaging, base);
     };
     problem.covariance = data.error.covariance();
     problem.nuisance =
