@@ -143,6 +143,14 @@ TEST(RestingShape, IsWhereTheMotionEndsWithAPush)
     EXPECT_LT(largest_difference({}, {.windows = {{4.5e-3, 7.5e-3, 0.5}}}), 0.02e-6);
 }
 
+// The arms of a twisted braid have rest lengths of their own, which the Hessian must have too.
+TEST(RestingShape, IsWhereTheMotionEndsWithATwist)
+{
+    EXPECT_LT(
+        largest_difference({}, {.twists = {{.angle = 1.5, .centre = 6e-3, .half_width = 1.5e-3}}}),
+        0.02e-6);
+}
+
 TEST(RestingShape, IsWhereTheMotionEndsOnACompliantWall)
 {
     EXPECT_LT(largest_difference({.wall_stiffness = 5e7}), 0.02e-6);
