@@ -75,7 +75,7 @@ double largest_difference(const DeployOptions& options, const ReleaseSchedule& s
     };
     const Deployment moved = deployed(Motion::inertial), solved = deployed(Motion::none);
     EXPECT_EQ(moved.in_contact, solved.in_contact);
-    EXPECT_LT(solved.steps, 30);
+    EXPECT_LT(solved.steps, 12);  // quadratic convergence: a wrong Hessian takes more
     double largest = 0.0;
     for (std::size_t i = 0; i < moved.nodes.size(); ++i)
         largest = std::max(largest, (moved.nodes[i] - solved.nodes[i]).norm());
