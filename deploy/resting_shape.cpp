@@ -1,13 +1,12 @@
 #include "deploy/resting_shape.hpp"
 
 #include "deploy/wire_bending.hpp"
+#include "deploy/wire_stencil_matrix.hpp"
 
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 namespace braidzone {
 namespace {
@@ -30,16 +29,18 @@ class Shape {
 public:
     Shape(const CrimpedBraid& braid, const SpringCoefficients& coefficients,
           const WallSupport& support)
-        : braid_(braid), coefficients_(coefficients), support_(support)
+        : braid_(braid), coefficients_(coefficients), support_(support), hessian_(braid.lattice)
     {
+        std::vector<double> radii;
         for (const double stop : support.stops)
-            radii_.push_back(std::max(braid.radius, std::min(stop, braid.lattice.nominal_radius)));
-        place_nodes();
+            radii.push_back(std::max(braid.radius, std::min(stop, braid.lattice.nominal_radius)));
+        set_radii(radii);
     }
 
     const std::vector<double>& radii() const { return radii_; }
     const std::vector<double>& spring_forces() const { return spring_forces_; }
     const std::vector<double>& forces() const { return forces_; }
+    double energy() const { return energy_; }
     bool is_rigid() const { return support_.stiffness.empty(); }
     bool is_held(int node) const
     {
@@ -54,64 +55,36 @@ public:
             for (std::size_t i = 0; i < radii_.size(); ++i)
                 radii_[i] = std::min(radii_[i], support_.stops[i]);
         }
-        place_nodes();
+        nodes_.resize(radii_.size());
+        for (int node = 0; node < braid_.lattice.num_nodes(); ++node)
+            nodes_[index(node)] = on_ray(braid_, node, radii_[index(node)]);
+        update_energy_and_forces();
     }
 
-    void update_forces()
-    {
-        const BraidLattice& lattice = braid_.lattice;
-        spring_forces_.resize(radii_.size());
-        forces_.resize(radii_.size());
-        for (int ring = 0; ring < lattice.num_rings; ++ring) {
-            for (int column = 0; column < lattice.nodes_per_ring; ++column) {
-                const std::size_t i = index(lattice.node(ring, column));
-                spring_forces_[i] = braid_.rays[i].dot(
-                    spring_force(lattice, coefficients_, nodes_, braid_.rings, ring, column));
-                forces_[i] = spring_forces_[i] +
-                             bending_force(lattice, coefficients_.bending, radii_, ring, column);
-                if (!is_rigid()) forces_[i] -= support_.stiffness[i] * beyond_stop(i);
-            }
-        }
-    }
-
-    double energy() const
-    {
-        double energy = elastic_energy(braid_.lattice, coefficients_, nodes_, braid_.rings) +
-                        bending_energy(braid_.lattice, coefficients_.bending, radii_);
-        if (is_rigid()) return energy;
-        for (std::size_t i = 0; i < radii_.size(); ++i)
-            energy += 0.5 * support_.stiffness[i] * beyond_stop(i) * beyond_stop(i);
-        return energy;
-    }
-
-    /// Second derivatives of the energy by the radii of some nodes.
-    /// @param place  |N| row of each node, -1 for those that are held
+    /// Second derivatives of the energy by the radii.
     /// @param softening  false: without what arms in compression and springs that give way take off
     ///                   the stiffness, so that it is positive definite
-    std::vector<Eigen::Triplet<double>> hessian(const std::vector<int>& place, bool softening) const
+    const WireStencilMatrix& hessian(bool softening)
     {
-        std::vector<Eigen::Triplet<double>> entries;
-        const auto add = [&](int a, int b, double value) {
-            const int row = place[index(a)], column = place[index(b)];
-            if (row >= 0 && column >= 0) entries.emplace_back(row, column, value);
-        };
+        hessian_.set_zero();
         const BraidLattice& lattice = braid_.lattice;
         for (int ring = 0; ring < lattice.num_rings; ++ring) {
+            const RadialSpring spring = spring_of_ring(lattice, coefficients_, ring);
             for (int column = 0; column < lattice.nodes_per_ring; ++column) {
                 const int node = lattice.node(ring, column);
-                const double own = own_stiffness(node, ring);
-                add(node, node, softening ? own : std::max(own, 0.0));
-                for (const int step : lattice.arm_steps) {
-                    if (ring + 1 < lattice.num_rings)
-                        add_arm(node, lattice.node(ring + 1, column + step), softening, add);
-                    if (ring > 0 && ring + 1 < lattice.num_rings) {
-                        add_bend(lattice.node(ring - 1, column - step), node,
-                                 lattice.node(ring + 1, column + step), add);
-                    }
+                const double own = own_stiffness(node, spring, lattice.area_share(ring));
+                hessian_.add_own(node, softening ? own : std::max(own, 0.0));
+                if (ring + 1 == lattice.num_rings) continue;
+                for (const std::size_t family : {0u, 1u}) {
+                    const int next = lattice.node(ring + 1, column + lattice.arm_steps[family]);
+                    add_arm(node, next, family, lattice.rest_length(ring, family), softening);
+                    if (ring == 0) continue;
+                    add_bend(lattice.node(ring - 1, column - lattice.arm_steps[family]), node, next,
+                             family);
                 }
             }
         }
-        return entries;
+        return hessian_;
     }
 
 private:
@@ -120,65 +93,69 @@ private:
         return std::max(0.0, radii_[node] - support_.stops[node]);
     }
 
-    void place_nodes()
+    void update_energy_and_forces()
     {
-        nodes_.resize(radii_.size());
-        for (int node = 0; node < braid_.lattice.num_nodes(); ++node)
-            nodes_[index(node)] = on_ray(braid_, node, radii_[index(node)]);
+        const BraidLattice& lattice = braid_.lattice;
+        vectors_.assign(radii_.size(), Vec3::Zero());
+        forces_.assign(radii_.size(), 0.0);
+        energy_ = add_spring_forces(lattice, coefficients_, nodes_, braid_.rings, vectors_) +
+                  add_bending_forces(lattice, coefficients_.bending, radii_, forces_);
+        spring_forces_.resize(radii_.size());
+        for (std::size_t i = 0; i < radii_.size(); ++i) {
+            spring_forces_[i] = braid_.rays[i].dot(vectors_[i]);
+            forces_[i] += spring_forces_[i];
+            if (is_rigid()) continue;
+            const double beyond = beyond_stop(i);
+            forces_[i] -= support_.stiffness[i] * beyond;
+            energy_ += 0.5 * support_.stiffness[i] * beyond * beyond;
+        }
     }
 
     /// Of the radial spring and of a compliant wall.
-    double own_stiffness(int node, int ring) const
+    double own_stiffness(int node, const RadialSpring& spring, double area_share) const
     {
-        const BraidLattice& lattice = braid_.lattice;
-        const RadialSpring spring =
-            lattice.rest_radii.empty()
-                ? coefficients_.radial
-                : at_rest_radius(coefficients_.radial, lattice.rest_radius(ring));
-        double stiffness =
-            lattice.area_share(ring) * radial_stiffness_at(spring, radii_[index(node)]);
+        double stiffness = area_share * radial_stiffness_at(spring, radii_[index(node)]);
         if (!is_rigid() && beyond_stop(index(node)) > 0.0)
             stiffness += support_.stiffness[index(node)];
         return stiffness;
     }
 
     /// c ((1 - l0 / l) e_a . e_b + l0 / l (d . e_a)(d . e_b)) with d along the arm.
-    template <typename Add>
-    void add_arm(int a, int b, bool softening, const Add& add) const
+    void add_arm(int node, int next, std::size_t family, double rest_length, bool softening)
     {
-        const Vec3 arm = nodes_[index(b)] - nodes_[index(a)];
+        const Vec3 arm = nodes_[index(next)] - nodes_[index(node)];
         const double length = arm.norm();
-        const double ratio = braid_.lattice.arm_length / length;
+        const double ratio = rest_length / length;
         const double across = softening ? 1.0 - ratio : std::max(0.0, 1.0 - ratio);
-        const Vec3 along = arm / length;
-        const auto between = [&](int i, int j) {
-            const Vec3 &ray = braid_.rays[index(i)], &other = braid_.rays[index(j)];
-            return coefficients_.surface *
-                   (across * ray.dot(other) + ratio * along.dot(ray) * along.dot(other));
-        };
-        add(a, a, between(a, a));
-        add(b, b, between(b, b));
-        add(a, b, -between(a, b));
-        add(b, a, -between(a, b));
+        const Vec3 &ray = braid_.rays[index(node)], &next_ray = braid_.rays[index(next)];
+        const double along = arm.dot(ray) / length, next_along = arm.dot(next_ray) / length;
+        const double c = coefficients_.surface;
+        hessian_.add_own(node, c * (across + ratio * along * along));
+        hessian_.add_own(next, c * (across + ratio * next_along * next_along));
+        hessian_.add_next(node, family,
+                          -c * (across * ray.dot(next_ray) + ratio * along * next_along));
     }
 
-    template <typename Add>
-    void add_bend(int before, int node, int after, const Add& add) const
+    /// Of (r- - 2 r + r+)^2 / 2.
+    void add_bend(int before, int node, int after, std::size_t family)
     {
-        const std::array<std::pair<int, double>, 3> terms{
-            {{before, 1.0}, {node, -2.0}, {after, 1.0}}};
-        for (const auto& [a, weight] : terms) {
-            for (const auto& [b, other] : terms)
-                add(a, b, coefficients_.bending * weight * other);
-        }
+        const double c = coefficients_.bending;
+        hessian_.add_own(before, c);
+        hessian_.add_own(node, 4.0 * c);
+        hessian_.add_own(after, c);
+        hessian_.add_next(before, family, -2.0 * c);
+        hessian_.add_next(node, family, -2.0 * c);
+        hessian_.add_second(before, family, c);
     }
 
     const CrimpedBraid& braid_;
     const SpringCoefficients& coefficients_;
     const WallSupport& support_;
     std::vector<double> radii_;
-    std::vector<Vec3> nodes_;
+    std::vector<Vec3> nodes_, vectors_;  ///< places; forces of the springs
     std::vector<double> spring_forces_, forces_;
+    double energy_ = 0.0;
+    WireStencilMatrix hessian_;
 };
 
 /// Newton's step of the free nodes, 0 of the held ones, and whether the Hessian was positive
@@ -188,7 +165,7 @@ struct Step {
     bool is_convex = true;
 };
 
-Step newton_step(const Shape& shape, double largest)
+Step newton_step(Shape& shape, double largest)
 {
     std::vector<int> place(shape.radii().size(), -1);
     std::vector<double> free_forces;
@@ -197,18 +174,15 @@ Step newton_step(const Shape& shape, double largest)
         place[node] = static_cast<int>(free_forces.size());
         free_forces.push_back(shape.forces()[node]);
     }
-    const auto n = static_cast<Eigen::Index>(free_forces.size());
+    const int n = static_cast<int>(free_forces.size());
     Step step{.radii = std::vector<double>(place.size(), 0.0)};
     if (n == 0) return step;
     // Ring by ring the matrix is a band as wide as three rings.
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>
         factor;
     for (const bool softening : {true, false}) {
-        const std::vector<Eigen::Triplet<double>> entries = shape.hessian(place, softening);
-        Eigen::SparseMatrix<double> hessian(n, n);
-        hessian.setFromTriplets(entries.begin(), entries.end());
         step.is_convex = softening;
-        factor.compute(hessian);
+        factor.compute(shape.hessian(softening).lower_triangle(place, n));
         if (factor.info() == Eigen::Success) break;
     }
     const Eigen::VectorXd change =
@@ -256,14 +230,12 @@ RestingShape find_resting_shape(const CrimpedBraid& braid, const SpringCoefficie
 {
     Shape shape(braid, coefficients, support);
     RestingShape rest;
-    shape.update_forces();
     while (rest.iterations < max_iterations) {
         rest.residual = residual_of(shape);
         const Step step = newton_step(shape, longest_step * braid.lattice.nominal_radius);
         rest.is_at_rest = rest.residual <= tolerance && step.is_convex;
-        if (rest.is_at_rest) break;
+        if (rest.residual <= tolerance) break;  // no force leads away from a saddle
         move_along(shape, step.radii, braid.radius);
-        shape.update_forces();
         ++rest.iterations;
     }
     rest.residual = residual_of(shape);

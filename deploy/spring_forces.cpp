@@ -24,14 +24,6 @@ Vec3 outward_force(const RadialSpring& spring, const Vec3& outward)
     return radial_force(spring, radius) / radius * outward;
 }
 
-/// The radial spring of an inner node of a ring, at rest at the ring's own radius.
-RadialSpring spring_of_ring(const BraidLattice& lattice, const SpringCoefficients& coefficients,
-                            int ring)
-{
-    if (lattice.rest_radii.empty()) return coefficients.radial;
-    return at_rest_radius(coefficients.radial, lattice.rest_radius(ring));
-}
-
 /// Coefficient of an arm in the paper's code for the 4 mm device [N/m] (Zavodszky et al. 2020,
 /// Table 2), and its ratio to that of a radial spring at a crossing: 0.1 N/m there belong to a node
 /// of (20 mm / 36) (pi 4 mm / 24) = 0.29089 mm^2, and a crossing has 0.054831 mm^2.
@@ -89,6 +81,13 @@ SpringCoefficients spring_coefficients(const FlowDiverter& device, const BraidLa
     return coefficients;
 }
 
+RadialSpring spring_of_ring(const BraidLattice& lattice, const SpringCoefficients& coefficients,
+                            int ring)
+{
+    if (lattice.rest_radii.empty()) return coefficients.radial;
+    return at_rest_radius(coefficients.radial, lattice.rest_radius(ring));
+}
+
 double elastic_energy(const BraidLattice& lattice, const SpringCoefficients& coefficients,
                       const std::vector<Vec3>& nodes, const std::vector<CrossSection>& rings)
 {
@@ -142,6 +141,38 @@ Vec3 spring_force(const BraidLattice& lattice, const SpringCoefficients& coeffic
     const Vec3 outward = node - rings[static_cast<std::size_t>(ring)].origin;
     return force + lattice.area_share(ring) *
                        outward_force(spring_of_ring(lattice, coefficients, ring), outward);
+}
+
+double add_spring_forces(const BraidLattice& lattice, const SpringCoefficients& coefficients,
+                         const std::vector<Vec3>& nodes, const std::vector<CrossSection>& rings,
+                         std::vector<Vec3>& forces)
+{
+    double energy = 0.0;
+    for (int ring = 0; ring < lattice.num_rings; ++ring) {
+        const RadialSpring spring = spring_of_ring(lattice, coefficients, ring);
+        const double share = lattice.area_share(ring);
+        const Vec3& hub = rings[static_cast<std::size_t>(ring)].origin;
+        for (int column = 0; column < lattice.nodes_per_ring; ++column) {
+            const auto node = static_cast<std::size_t>(lattice.node(ring, column));
+            const Vec3 outward = nodes[node] - hub;
+            energy += share * radial_energy(spring, outward.norm());
+            forces[node] += share * outward_force(spring, outward);
+            if (ring + 1 == lattice.num_rings) continue;
+            for (const std::size_t family : {0u, 1u}) {
+                const auto other = static_cast<std::size_t>(
+                    lattice.node(ring + 1, column + lattice.arm_steps[family]));
+                const double rest_length = lattice.rest_length(ring, family);
+                const Vec3 arm = nodes[other] - nodes[node];
+                const double length = arm.norm();
+                const double stretch = length - rest_length;
+                const Vec3 force = coefficients.surface * (stretch / length) * arm;
+                energy += 0.5 * coefficients.surface * stretch * stretch;
+                forces[node] += force;
+                forces[other] -= force;
+            }
+        }
+    }
+    return energy;
 }
 
 Vec3 hub_force(const BraidLattice& lattice, const SpringCoefficients& coefficients,

@@ -47,4 +47,23 @@ double bending_force(const BraidLattice& lattice, double coefficient,
     return force;
 }
 
+double add_bending_forces(const BraidLattice& lattice, double coefficient,
+                          const std::vector<double>& radii, std::vector<double>& forces)
+{
+    double energy = 0.0;
+    for (int ring = 1; ring + 1 < lattice.num_rings; ++ring) {
+        for (int column = 0; column < lattice.nodes_per_ring; ++column) {
+            for (const int step : lattice.arm_steps) {
+                const double bend = second_difference(lattice, radii, ring, column, step);
+                const double force = coefficient * bend;
+                energy += 0.5 * force * bend;
+                forces[static_cast<std::size_t>(lattice.node(ring - 1, column - step))] -= force;
+                forces[static_cast<std::size_t>(lattice.node(ring, column))] += 2.0 * force;
+                forces[static_cast<std::size_t>(lattice.node(ring + 1, column + step))] -= force;
+            }
+        }
+    }
+    return energy;
+}
+
 }  // namespace braidzone

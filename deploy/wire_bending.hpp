@@ -30,4 +30,10 @@ double bending_energy(const BraidLattice& lattice, double coefficient,
 double bending_force(const BraidLattice& lattice, double coefficient,
                      const std::vector<double>& radii, int ring, int column);
 
+/// Adds the radial forces of the bent wires to all nodes at once: those of `bending_force`.
+/// @param forces  |N| [N]
+/// @return E [J]
+double add_bending_forces(const BraidLattice& lattice, double coefficient,
+                          const std::vector<double>& radii, std::vector<double>& forces);
+
 }  // namespace braidzone

@@ -265,4 +265,33 @@ TEST(LargestFrequency, BoundsTheStiffnessOfArmsRadialSpringAndWires)
         std::sqrt(14.5 / 2.0));
 }
 
+// With rest lengths and radii of its own for each ring, as those of a flare and a twist.
+TEST(AddSpringForces, AddsWhatEachNodeBears)
+{
+    Braid braid = straight_braid(1.8e-3, 0.9);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> share(-0.1, 0.1);
+    for (Vec3& node : braid.nodes)
+        node += 1e-4 * Vec3(share(random), share(random), share(random));
+    for (int ring = 0; ring < braid.lattice.num_rings; ++ring) {
+        braid.lattice.rest_radii.push_back(2e-3 * (1.0 + share(random)));
+        braid.lattice.arm_lengths.push_back({braid.lattice.arm_length * (1.0 + share(random)),
+                                             braid.lattice.arm_length * (1.0 + share(random))});
+    }
+    const Vec3 before(1.0, -2.0, 3.0);
+    std::vector<Vec3> forces(braid.nodes.size(), before);
+    const double energy =
+        add_spring_forces(braid.lattice, braid.coefficients, braid.nodes, braid.rings, forces);
+    const double expected =
+        elastic_energy(braid.lattice, braid.coefficients, braid.nodes, braid.rings);
+    EXPECT_NEAR(energy, expected, 1e-13 * expected);
+    for (int ring = 0; ring < braid.lattice.num_rings; ++ring) {
+        for (int column = 0; column < braid.lattice.nodes_per_ring; ++column) {
+            const auto node = static_cast<std::size_t>(braid.lattice.node(ring, column));
+            // The forces are about 1e-5 N; rounding is that of the 1 N that was there before.
+            EXPECT_LT((forces[node] - before - force_on(braid, ring, column)).norm(), 1e-14);
+        }
+    }
+}
+
 }  // namespace braidzone

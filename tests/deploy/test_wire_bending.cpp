@@ -71,4 +71,24 @@ TEST(BendingForce, IsMinusTheDerivativeOfTheEnergy)
     }
 }
 
+TEST(AddBendingForces, AddsWhatEachNodeBears)
+{
+    const BraidLattice lattice = short_lattice();
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> shift(-1e-4, 1e-4);
+    std::vector<double> radii(static_cast<std::size_t>(lattice.num_nodes()), 2e-3);
+    for (double& radius : radii)
+        radius += shift(random);
+    std::vector<double> forces(radii.size(), 0.5);
+    const double energy = add_bending_forces(lattice, 0.3, radii, forces);
+    const double expected = bending_energy(lattice, 0.3, radii);
+    EXPECT_NEAR(energy, expected, 1e-13 * expected);
+    for (int ring = 0; ring < lattice.num_rings; ++ring) {
+        for (int column = 0; column < lattice.nodes_per_ring; ++column) {
+            const double force = forces[static_cast<std::size_t>(lattice.node(ring, column))] - 0.5;
+            EXPECT_NEAR(force, bending_force(lattice, 0.3, radii, ring, column), 1e-15);
+        }
+    }
+}
+
 }  // namespace braidzone
