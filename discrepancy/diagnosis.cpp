@@ -123,10 +123,12 @@ EffectSetting effect_setting(const Model& base, const Simulation& simulation,
 
 Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> points,
                    const MeasuredScalars& scalars, const std::vector<Effect>& catalogue,
-                   const DiagnoseOptions& options)
+                   const DiagnoseOptions& options, const DensityMap& density)
 {
     Simulation simulation = simulate(base, lumen);
     require_comparable(points, base.imaging, simulation, lumen);
+    require_force_on_device(scalars, simulation.deployment);
+    DensityField density_field = make_density_field(density, base.imaging, simulation);
     EffectSetting setting = effect_setting(base, simulation, points);
     DiscrepancyField field =
         make_discrepancy_field(points, base.imaging, simulation, options.patches);
@@ -137,10 +139,11 @@ Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> poin
             field.patches.size(), 1e3 * options.patches.length, 360.0 / options.patches.around,
             options.patches.fewest_points, fewest_patches));
     }
-    Diagnosis diagnosis{.setting = std::move(setting),
-                        .base = std::move(simulation),
-                        .openings = {},
-                        .observations = {std::move(points), std::move(field), scalars}};
+    Diagnosis diagnosis{
+        .setting = std::move(setting),
+        .base = std::move(simulation),
+        .openings = {},
+        .observations = {std::move(points), std::move(field), scalars, std::move(density_field)}};
     diagnosis.openings = find_openings(diagnosis.base.deployment, lumen.wall);
     diagnosis.error = make_error_model(diagnosis.observations, options.floor);
     const DiagnosisProblem problem =

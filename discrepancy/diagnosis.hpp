@@ -53,10 +53,13 @@ EffectSetting effect_setting(const Model& base, const Simulation& simulation,
 /// @param base    the case
 /// @param points  measured, in the frame of the scan [m]
 /// @param catalogue  effects to choose from
+/// @param density  measured in the same frame; no places if it was not
 /// @throws InputError if the points cannot be compared with the device (`require_comparable`), or
-///         fill fewer than 20 patches; else what the deployment of the case throws
+///         fill fewer than 20 patches, the density map does not lie over the device
+///         (`make_density_field`), or a measured force acts on a stretch without device; else what
+///         the deployment of the case throws
 Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> points,
                    const MeasuredScalars& scalars, const std::vector<Effect>& catalogue,
-                   const DiagnoseOptions& options = {});
+                   const DiagnoseOptions& options = {}, const DensityMap& density = {});
 
 }  // namespace braidzone

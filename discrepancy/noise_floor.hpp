@@ -18,13 +18,19 @@ struct NoiseFloor {
     double white_scale = 0.9;           ///< on the variance of the patches' medians [-]
     double landing_sd = 0.093e-3;       ///< of where both ends land together [m]
     double length_sd = 0.15e-3;         ///< of the length between the ends [m]
+    /// Relative, of the density in a window, alike over `background_length` [-].
+    double density_sd = 0.03;
+    /// Relative, of all measured densities together: threshold and scale of the picture [-].
+    double density_scale_sd = 0.05;
+    double force_sd = 0.2;  ///< relative, of the device's force on the wall [-]
     /// Where the constants come from.
     std::string source =
         "shipped defaults: learned from 60 simulated scans of devices in idealised sidewall "
         "aneurysms (tests/discrepancy/blind), not from measurements";
 };
 
-/// Reads a noise file (JSON) as `write_noise_floor` writes it; every value must be there.
+/// Reads a noise file (JSON) as `noise_floor_text` writes it. Every value must be there but those
+/// of density and force, which stand at their defaults if they are missing.
 /// @throws IoError if it cannot be read; InputError with the key for a missing, unknown or
 ///         non-positive value, or text that is no JSON
 NoiseFloor read_noise_floor(const std::filesystem::path& path);
