@@ -4,6 +4,7 @@
 #include "discrepancy/background_estimate.hpp"
 #include "discrepancy/measurement_check.hpp"
 #include "discrepancy/surface_folds.hpp"
+#include "discrepancy/surface_further.hpp"
 #include "discrepancy/surface_problem.hpp"
 
 #include <fmt/format.h>
@@ -146,10 +147,10 @@ Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> poin
         .observations = {std::move(points), std::move(field), scalars, std::move(density_field)}};
     diagnosis.openings = find_openings(diagnosis.base.deployment, lumen.wall);
     diagnosis.error = make_error_model(diagnosis.observations, options.floor);
-    const DiagnosisProblem problem =
-        surface_problem({lumen, diagnosis.setting, diagnosis.base, diagnosis.observations,
-                         diagnosis.error, options.floor},
-                        catalogue);
+    const SurfaceData data{lumen,           diagnosis.setting,
+                           diagnosis.base,  diagnosis.observations,
+                           diagnosis.error, options.floor};
+    const DiagnosisProblem problem = surface_problem(data, catalogue);
     diagnosis.map = make_discrepancy_map(diagnosis.observations.field, diagnosis.error,
                                          problem.residuals({}).head(diagnosis.error.num_patches),
                                          options.clusters);
@@ -163,7 +164,11 @@ Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> poin
     if (explanation.best) {
         diagnosis.after = model_with(catalogue, diagnosis.setting,
                                      active_effects(explanation.fits[*explanation.best]));
+        diagnosis.predicted_after =
+            predict(*diagnosis.after, simulate(*diagnosis.after, lumen), lumen);
     }
+    diagnosis.predicted_before = predict(base, diagnosis.base, lumen);
+    diagnosis.further = further_measurement_of(data, catalogue, explanation);
     compare(diagnosis, problem, options);
     return diagnosis;
 }
