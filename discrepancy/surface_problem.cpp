@@ -1,5 +1,7 @@
 #include "discrepancy/surface_problem.hpp"
 
+#include "discrepancy/channel_errors.hpp"
+
 #include <algorithm>
 
 namespace braidzone {
@@ -38,7 +40,9 @@ DiagnosisProblem surface_problem(const SurfaceData& data, const std::vector<Effe
     problem.correlation_length = data.floor.background_length;
     problem.unknown_amplitudes = {0.04e-3, 0.08e-3, 0.16e-3, 0.32e-3};
     problem.unknown_lengths = {1e-3, 2e-3, 4e-3};
-    problem.unknown_deviations = {1e-3, 4e-3};
+    problem.unknown_channels = unknown_channels(data.observations);
+    problem.unknown_deviations = {1.0, 4.0};
+    problem.shape_correlation = shape_correlation(data.observations, data.floor.background_length);
     return problem;
 }
 
