@@ -111,22 +111,47 @@ Json fit_as_json(const EffectFit& fit, const Explanation& explanation)
     return json;
 }
 
+/// True if an effect alone would have been seen at an amplitude within its bounds.
+bool would_be_seen(const Explanation& explanation, std::size_t single)
+{
+    if (!explanation.limits[single]) return false;
+    const EffectParameter& first = explanation.fits[single].effects.front().parameters.front();
+    return explanation.limits[single]->amplitude <=
+           std::max(first.upper - first.prior_mean, first.prior_mean - first.lower);
+}
+
 /// "local_push -0.21 (spacing_change)": what would have been seen in 8 of 10 such measurements.
 std::vector<std::string> limit_texts(const Explanation& explanation)
 {
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < explanation.num_singles; ++i) {
-        if (!explanation.limits[i]) continue;
+        if (!would_be_seen(explanation, i)) continue;
         const FittedEffect& effect = explanation.fits[i].effects.front();
         const EffectParameter& first = effect.parameters.front();
         const double amplitude = explanation.limits[i]->amplitude;
-        if (amplitude > std::max(first.upper - first.prior_mean, first.prior_mean - first.lower))
-            continue;  // never within its bounds
         texts.push_back(fmt::format("{} of {:.2g}{} ({})", effect.name,
                                     amplitude / reported_unit(first),
                                     first.unit == "1" ? "" : " " + first.unit, first.name));
     }
     return texts;
+}
+
+/// Effects that could be there without leaving a trace in these data.
+std::vector<std::string> unseen_effects(const Explanation& explanation)
+{
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < explanation.num_singles; ++i) {
+        if (!would_be_seen(explanation, i)) names.push_back(name_of(explanation.fits[i]));
+    }
+    return names;
+}
+
+/// What is said of them.
+std::string unseen_text(const Explanation& explanation)
+{
+    const std::vector<std::string> names = unseen_effects(explanation);
+    if (names.empty()) return "";
+    return fmt::format(" These data cannot tell whether there is: {}.", fmt::join(names, ", "));
 }
 
 Json answers_as_json(const Verdict& verdict)
@@ -158,9 +183,11 @@ std::string explanation_answer(const Explanation& explanation, const HeldOutGap&
     const Verdict& verdict = explanation.verdict;
     if (verdict.finding == Finding::nothing_missing) {
         return fmt::format(
-            "Nothing is missing: measurement and simulation agree within the noise floor of {}. "
-            "In 8 of 10 such measurements would have been seen: {}.",
-            floor, fmt::join(limit_texts(explanation), ", "));
+                   "Nothing is missing: measurement and simulation agree within the noise floor of "
+                   "{}. "
+                   "In 8 of 10 such measurements would have been seen: {}.",
+                   floor, fmt::join(limit_texts(explanation), ", ")) +
+               unseen_text(explanation);
     }
     if (verdict.finding == Finding::unknown) {
         return "Something is missing, but none of the known effects explains it." +
@@ -188,6 +215,7 @@ Json explanation_as_json(const Explanation& explanation, const HeldOutGap& held_
                    {"effects", answers_as_json(verdict)},
                    {"is_confirmed", explanation.best ? Json(held_out.confirms()) : Json()},
                    {"has_unexplained_rest", verdict.has_unexplained_rest},
+                   {"cannot_be_told", unseen_effects(explanation)},
                    {"text", explanation_answer(explanation, held_out, floor, further)}}}};
     json["log_bayes_factor_unknown"] = explanation.log_evidence_unknown;
     json["log_bayes_factor_scalars"] = explanation.log_evidence_scalars;

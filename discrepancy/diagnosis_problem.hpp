@@ -22,6 +22,9 @@ struct Candidate {
     /// False where the simulation need not run again, as for how the device was seen.
     bool needs_simulation = true;
     std::string separated_by = {};  ///< a measurement that would tell it from others
+    /// By which standard deviations of its parameters are wider than the curvature of the fit says:
+    /// what happens in reality is not quite the effect as it is implemented.
+    double interval_factor = 1.0;
 };
 
 /// A candidate that is in the model.

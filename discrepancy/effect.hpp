@@ -30,6 +30,9 @@ struct Effect {
     std::function<std::vector<std::vector<double>>(const EffectSetting&)> starts;
     /// The base model with the effect. @throws ConfigError if it cannot stand beside what is there
     std::function<Model(const EffectSetting&, const std::vector<double>&)> apply;
+    /// `Candidate::interval_factor`: learned from simulated measurements in which the effect was
+    /// made by another program, so that 90 % of its 90 % intervals hold the truth.
+    double interval_factor = 1.0;
 };
 
 /// All effects, in the order in which equals are reported: what concerns the imaging first.

@@ -158,8 +158,11 @@ std::vector<FittedEffect> fitted_effects(const EffectResiduals& residuals,
     const std::vector<ActiveEffect> errors = residuals.effects(sd);
     for (const ActiveEffect& effect : residuals.effects(values)) {
         const Candidate& candidate = problem.candidates[effect.candidate];
+        std::vector<double> wider = errors[fitted.size()].values;
+        for (double& error : wider)
+            error *= candidate.interval_factor;
         fitted.push_back({effect.candidate, candidate.name, candidate.title, candidate.separated_by,
-                          candidate.parameters, effect.values, errors[fitted.size()].values});
+                          candidate.parameters, effect.values, wider});
     }
     return fitted;
 }

@@ -17,7 +17,8 @@ struct FittedEffect {
     std::string name, title, separated_by;  ///< of the candidate
     std::vector<EffectParameter> parameters;
     std::vector<double> values;  ///< [SI]
-    std::vector<double> sd;      ///< from the curvature at the best fit [SI]
+    /// From the curvature at the best fit, times `Candidate::interval_factor` [SI].
+    std::vector<double> sd;
 };
 
 /// Where a fit ended.

@@ -21,7 +21,7 @@ DiagnosisProblem surface_problem(const SurfaceData& data, const std::vector<Effe
     for (const Effect& effect : catalogue) {
         problem.candidates.push_back({effect.name, effect.title, effect.parameters(data.setting),
                                       effect.starts(data.setting), effect.changes_deployment,
-                                      effect.separated_by});
+                                      effect.separated_by, effect.interval_factor});
     }
     problem.residuals = [data, catalogue](const std::vector<ActiveEffect>& effects) {
         const Model model = model_with(catalogue, data.setting, effects);

@@ -130,6 +130,22 @@ TEST(Diagnose, SaysUnknownWithoutTheEffectInTheCatalogue)
                 found.explanation.verdict.has_unexplained_rest);
 }
 
+// Without a neck the wall holds the device all along, and a push leaves no trace on the surface:
+// nothing is named, and not even that of the paper, 0.66, is said to have been seen.
+TEST(Diagnose, CannotTellAPushWhereTheWallHoldsTheWholeDevice)
+{
+    hidden::Belief tube = belief();
+    tube.phantom.sacs.clear();
+    hidden::HiddenStory story = hidden::story_of(tube);
+    hidden::add_stretch(story.scene, {.centre = 15e-3, .half_width = 1.8e-3, .change = -0.66});
+    const Diagnosis found =
+        diagnose(blind::believed_model(tube), blind::believed_lumen(tube.phantom),
+                 scan_of(story, 6).points, {}, catalogue_of({"local_push"}), {});
+    EXPECT_EQ(found.explanation.verdict.finding, Finding::nothing_missing);
+    const auto& limit = found.explanation.limits.front();
+    EXPECT_TRUE(!limit || limit->amplitude > 0.66);
+}
+
 TEST(Diagnose, ReportsAnEffectThatCannotBeSimulated)
 {
     Effect broken = catalogue_of({"nominal_diameter"}).front();

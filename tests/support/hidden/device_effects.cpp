@@ -132,7 +132,7 @@ std::map<std::string, double> hide_closed_end(bool is_distal, HiddenStory& story
     end.eccentricity = between(0.2, 0.7, random) * (wall - end.end_radius);
     end.direction = between(0.0, 2.0 * std::numbers::pi, random);
     story.scene.obstacles.push_back(cone(end, story.belief.device));
-    return {{"length", end.length}, {"end_radius", end.end_radius}};
+    return {{"cone_length", end.length}, {"shrink", 1.0 - end.end_radius / wall}};
 }
 
 std::map<std::string, double> hide_closed_proximal(HiddenStory& story, EffectSize size,
