@@ -23,7 +23,7 @@ struct Model {
 /// A device as a model deploys it.
 struct Simulation {
     Deployment deployment;
-    DeviceSurface surface;
+    DeviceSurface surface;  ///< through the imaging chain of the model
 };
 
 /// Deploys the device of a model.
