@@ -33,12 +33,13 @@ void apply_case_to_foam(const std::filesystem::path& case_file,
 void check_case(const std::filesystem::path& case_file, const CommonOptions& options);
 
 struct DiagnoseCommand {
-    std::vector<std::filesystem::path> measured;   ///< the device's surface; more to learn from
-    std::optional<std::string> length_unit;        ///< of its coordinates
-    std::optional<std::filesystem::path> scalars;  ///< lengths and end positions (TOML)
-    std::optional<std::filesystem::path> noise;    ///< noise floor (JSON)
-    bool calibrate = false;                        ///< learn the noise floor instead
-    bool separability = false;                     ///< tell what could be told apart instead
+    std::vector<std::filesystem::path> measured;       ///< the device's surface; more to learn from
+    std::optional<std::string> length_unit;            ///< of its coordinates
+    std::optional<std::filesystem::path> scalars;      ///< length, end positions, force (TOML)
+    std::optional<std::filesystem::path> density_map;  ///< density of the wires (CSV)
+    std::optional<std::filesystem::path> noise;        ///< noise floor (JSON)
+    bool calibrate = false;                            ///< learn the noise floor instead
+    bool separability = false;                         ///< tell what could be told apart instead
     /// In place of a surface: a press test's force curve, a bench's pressure drop (CSV).
     std::optional<std::filesystem::path> force_curve, pressure_drop;
 };

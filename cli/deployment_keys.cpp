@@ -181,6 +181,8 @@ DeployOptions read_deploy_options(const TomlTable& table)
         read_choice(table, "release_order", release_orders, options.release_order);
     options.motion = read_choice(table, "motion", motions, options.motion);
     options.hub_freedom = read_switch(table, hub_freedom_keys);
+    options.hub_shift = require_not_negative(
+        table, "hub_shift", table.quantity_or("hub_shift", Dimension::length, options.hub_shift));
     options.hoop_migration = table.boolean_or("hoop_migration", options.hoop_migration);
     options.friction = read_friction(table, options.friction);
     require_that_friction_matters(table, options);

@@ -47,6 +47,7 @@ nlohmann::ordered_json inputs_as_json(const Case& job, const DiagnoseCommand& co
                                      {"vessel", input_as_json(job.vessel.surface)},
                                      {"measured", input_as_json(command.measured.front())}};
     if (command.scalars) inputs["scalars"] = input_as_json(*command.scalars);
+    if (command.density_map) inputs["density_map"] = input_as_json(*command.density_map);
     if (command.noise) inputs["noise"] = input_as_json(*command.noise);
     return inputs;
 }
@@ -77,6 +78,8 @@ void learn_noise_floor(const fs::path& case_file, const DiagnoseCommand& command
 {
     const Case job = read_diagnosed_case(case_file, options.overrides);
     if (command.scalars) throw ConfigError("--scalars has no part in --calibrate; leave it out");
+    if (command.density_map)
+        throw ConfigError("--density-map has no part in --calibrate; leave it out");
     TextOutput output(
         options.output.value_or(fs::absolute(case_file).replace_extension(".noise.json")),
         options.force);
@@ -96,7 +99,7 @@ void learn_noise_floor(const fs::path& case_file, const DiagnoseCommand& command
             throw InputError(fmt::format("{}: {}", file.string(), error.what()));
         }
         observations.field = make_discrepancy_field(observations.points, model.imaging, base);
-        Eigen::VectorXd measured = residuals(observations, base, model.imaging);
+        Eigen::VectorXd measured = residuals(observations, base, model.imaging, base.surface);
         sets.push_back({std::move(observations), std::move(measured)});
     }
     progress.begin("calibrate", "learning the noise floor");
@@ -117,6 +120,8 @@ void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
     }
     const Case job = read_diagnosed_case(case_file, options.overrides);
     std::vector<Vec3> points = read_measured_surface(command.measured.front(), unit_of(command));
+    const DensityMap density =
+        command.density_map ? read_density_map(*command.density_map) : DensityMap{};
     DiagnoseOptions diagnose_options;
     if (command.noise) diagnose_options.floor = read_noise_floor(*command.noise);
     OutputFolder folder(
@@ -132,7 +137,7 @@ void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
         progress.begin("diagnose", doing);
     };
     const Diagnosis diagnosis = diagnose(model_of(job, lumen.centerline), lumen, std::move(points),
-                                         scalars, effect_catalogue(), diagnose_options);
+                                         scalars, effect_catalogue(), diagnose_options, density);
     progress.begin("export", "writing the results");
     write_discrepancy_picture(folder.path() / "discrepancy.png", diagnosis);
     write_discrepancy_vtp(folder.path() / "discrepancy.vtp", diagnosis, lumen.vessel.unit);

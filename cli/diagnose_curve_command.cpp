@@ -51,6 +51,7 @@ void require_few_options(const DiagnoseCommand& command, const std::string& curv
     };
     refuse(command.length_unit.has_value(), "--length-unit");
     refuse(command.scalars.has_value(), "--scalars");
+    refuse(command.density_map.has_value(), "--density-map");
     refuse(command.noise.has_value(), "--noise");
     refuse(command.calibrate, "--calibrate");
 }

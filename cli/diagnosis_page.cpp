@@ -114,6 +114,40 @@ std::string scalars(const Json& diagnosis)
     return section("Ends and length [mm]", table({"", "measured", "before", "after"}, rows));
 }
 
+std::string channels(const Json& diagnosis)
+{
+    std::vector<Row> rows;
+    for (const Json& channel : diagnosis["channels"]) {
+        const std::string measured =
+            channel["measured"].is_number()
+                ? number(channel["measured"], 4) + " +- " + number(channel["sd"], 2)
+                : "-";
+        rows.push_back({fmt::format("{} [{}]", channel["title"].get<std::string>(),
+                                    channel["unit"].get<std::string>()),
+                        number(channel["before"], 4), number(channel["after"], 4), measured});
+    }
+    return section("Length, density and force",
+                   table({"simulated", "before", "after", "measured"}, rows));
+}
+
+std::string further(const Json& diagnosis)
+{
+    const Json& found = diagnosis["further_measurement"];
+    std::vector<Row> rows;
+    for (const Json& channel : found["channels"]) {
+        for (const Json& pair : channel["pairs"]) {
+            rows.push_back({channel["measurement"].get<std::string>(),
+                            pair["first"].get<std::string>(), pair["second"].get<std::string>(),
+                            number(pair["now"], 2), number(pair["with"], 2)});
+        }
+    }
+    if (rows.empty()) return "";
+    return section("What would separate the answers",
+                   table({"a measurement of", "tells", "from", "d' now", "d' with it"}, rows) +
+                       "<p>d' is how many standard deviations the data of one answer are from what "
+                       "the other can explain; 3 or more can be told apart.</p>\n");
+}
+
 std::string clusters(const Json& diagnosis)
 {
     std::vector<Row> rows;
@@ -202,6 +236,7 @@ std::string diagnosis_page(const Json& diagnosis, const std::filesystem::path& p
                "<h1>Simulation and measurement</h1>\n<p class=\"answer\">{}</p>\n",
                style, escaped(diagnosis["answer"]["text"].get<std::string>())) +
            embedded(picture) + section("The gap", gaps(diagnosis)) + scalars(diagnosis) +
+           channels(diagnosis) + further(diagnosis) +
            section("Where they differ", clusters(diagnosis)) +
            section("Which effect", evidence(diagnosis)) + notes(diagnosis) + inputs(diagnosis) +
            "</body>\n</html>\n";

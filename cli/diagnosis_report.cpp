@@ -1,6 +1,8 @@
 #include "cli/diagnosis_report.hpp"
 
+#include "cli/channel_report.hpp"
 #include "cli/explanation_report.hpp"
+#include "cli/further_report.hpp"
 #include "discrepancy/background_estimate.hpp"
 
 #include <fmt/format.h>
@@ -160,6 +162,12 @@ std::vector<std::string> diagnosis_warnings(const Diagnosis& diagnosis)
             field.num_points, field.num_on_rim, field.num_far, 1e3 * field.options.farthest,
             field.num_in_sparse, field.options.fewest_points));
     }
+    if (diagnosis.observations.density.num_beyond_ends > 0) {
+        warnings.push_back(fmt::format(
+            "{} places of the density map lie beyond the simulated device's ends: they do not "
+            "count",
+            diagnosis.observations.density.num_beyond_ends));
+    }
     const auto failures = failure_warnings(diagnosis.explanation);
     warnings.insert(warnings.end(), failures.begin(), failures.end());
     return warnings;
@@ -167,13 +175,15 @@ std::vector<std::string> diagnosis_warnings(const Diagnosis& diagnosis)
 
 std::string diagnosis_answer(const Diagnosis& diagnosis)
 {
-    return explanation_answer(diagnosis.explanation, diagnosis.held_out, floor_text(diagnosis));
+    return explanation_answer(diagnosis.explanation, diagnosis.held_out, floor_text(diagnosis),
+                              further_text(diagnosis.further));
 }
 
 Json diagnosis_as_json(const Diagnosis& diagnosis, const NoiseFloor& floor)
 {
-    Json json =
-        explanation_as_json(diagnosis.explanation, diagnosis.held_out, floor_text(diagnosis));
+    Json json = explanation_as_json(diagnosis.explanation, diagnosis.held_out,
+                                    floor_text(diagnosis), further_text(diagnosis.further));
+    json["further_measurement"] = further_as_json(diagnosis.further);
     json["warnings"] = diagnosis_warnings(diagnosis);
     json["clusters"] = Json::array();
     for (std::size_t i = 0; i < diagnosis.map.clusters.size(); ++i)
@@ -183,6 +193,8 @@ Json diagnosis_as_json(const Diagnosis& diagnosis, const NoiseFloor& floor)
                     {"affected_zone", gaps_as_json(diagnosis.in_zone, has_effect)},
                     {"held_out", held_out_as_json(diagnosis, has_effect)}};
     json["scalars"] = scalars_as_json(diagnosis);
+    json["channels"] = channels_as_json(diagnosis);
+    json["density_map"] = density_map_as_json(diagnosis);
     json["background_scale"] = diagnosis.background;
     json["noise_floor"] = Json::parse(noise_floor_text(floor));
     json["points"] = {{"measured", diagnosis.observations.field.num_points},
@@ -209,8 +221,9 @@ std::string diagnosis_summary(const Diagnosis& diagnosis)
     text += gap_line("everywhere", diagnosis.everywhere, has_effect);
     if (!diagnosis.zone.empty()) text += gap_line("in the zone", diagnosis.in_zone, has_effect);
     text += gap_line("held out", diagnosis.gap_held_out, has_effect);
-    text += fmt::format("  (RMS / 95th percentile / largest smoothed)\n  {}\n",
-                        evidence_text(diagnosis.explanation));
+    text += "  (RMS / 95th percentile / largest smoothed)\n" + channels_text(diagnosis) +
+            further_table(diagnosis.further);
+    text += fmt::format("  {}\n", evidence_text(diagnosis.explanation));
     for (const std::string& warning : diagnosis_warnings(diagnosis))
         text += fmt::format("  note: {}\n", warning);
     return text;

@@ -61,14 +61,18 @@ std::string named_text(const EffectFit& fit)
     return fmt::format("{}.", fmt::join(texts, "; and ")) + other_modes(fit);
 }
 
-std::string ambiguous_text(const Explanation& explanation)
+std::string ambiguous_text(const Explanation& explanation, const std::string& further)
 {
     std::vector<std::string> names;
     for (const Answer& answer : explanation.verdict.answers)
         names.push_back(answer_name(answer));
-    return fmt::format("One of these, which the data do not tell apart: {}. What would: {}.",
-                       fmt::join(names, ", "),
-                       explanation.fits[*explanation.best].effects.front().separated_by);
+    const std::string what_would =
+        further.empty()
+            ? fmt::format("What would: {}.",
+                          explanation.fits[*explanation.best].effects.front().separated_by)
+            : further;
+    return fmt::format("One of these, which the data do not tell apart: {}. {}",
+                       fmt::join(names, ", "), what_would);
 }
 
 Json fit_as_json(const EffectFit& fit, const Explanation& explanation)
@@ -149,7 +153,7 @@ std::vector<std::string> parameter_texts(const FittedEffect& effect)
 }
 
 std::string explanation_answer(const Explanation& explanation, const HeldOutGap& held_out,
-                               const std::string& floor)
+                               const std::string& floor, const std::string& further)
 {
     const Verdict& verdict = explanation.verdict;
     if (verdict.finding == Finding::nothing_missing) {
@@ -164,7 +168,7 @@ std::string explanation_answer(const Explanation& explanation, const HeldOutGap&
     }
     std::string text = held_out.confirms() ? "" : "Suspected: ";
     text += verdict.finding == Finding::named ? named_text(explanation.fits[*explanation.best])
-                                              : ambiguous_text(explanation);
+                                              : ambiguous_text(explanation, further);
     if (verdict.has_unexplained_rest) text += " Something remains that this does not explain.";
     if (!held_out.confirms()) {
         text += fmt::format(
@@ -176,7 +180,7 @@ std::string explanation_answer(const Explanation& explanation, const HeldOutGap&
 }
 
 Json explanation_as_json(const Explanation& explanation, const HeldOutGap& held_out,
-                         const std::string& floor)
+                         const std::string& floor, const std::string& further)
 {
     const Verdict& verdict = explanation.verdict;
     Json json = {{"answer",
@@ -184,7 +188,7 @@ Json explanation_as_json(const Explanation& explanation, const HeldOutGap& held_
                    {"effects", answers_as_json(verdict)},
                    {"is_confirmed", explanation.best ? Json(held_out.confirms()) : Json()},
                    {"has_unexplained_rest", verdict.has_unexplained_rest},
-                   {"text", explanation_answer(explanation, held_out, floor)}}}};
+                   {"text", explanation_answer(explanation, held_out, floor, further)}}}};
     json["log_bayes_factor_unknown"] = explanation.log_evidence_unknown;
     json["log_bayes_factor_scalars"] = explanation.log_evidence_scalars;
     json["chi_square"] = explanation.chi_square;

@@ -169,7 +169,11 @@ void add_diagnose_verb(CLI::App& app, Arguments& arguments)
                     "in its place, of a bench: velocity_m_s,pressure_drop_1_Pa,... (CSV)");
     verb.add_option("--length-unit", command.length_unit,
                     "of the measured coordinates: m, cm, mm, um (CSV: stated in its header)");
-    verb.add_option("--scalars", command.scalars, "measured length and end positions (TOML)");
+    verb.add_option("--scalars", command.scalars,
+                    "measured length, end positions and contact force (TOML)");
+    verb.add_option("--density-map", command.density_map,
+                    "measured density of the wires: x_mm,y_mm,z_mm,pore_density_per_mm2,"
+                    "sd_per_mm2, or metal_coverage,sd (CSV)");
     verb.add_option("--noise", command.noise, "noise floor (JSON; default: shipped values)");
     verb.add_flag("--calibrate", command.calibrate,
                   "learn the noise floor from several measurements without an effect");

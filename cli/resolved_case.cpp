@@ -158,6 +158,7 @@ Json deployment_section(const Case& job)
     section["release_order"] = name_of(options.release_order);
     section["motion"] = name_of(options.motion);
     add_switch(section, hub_freedom_keys, options.hub_freedom);
+    section["hub_shift"] = length(options.hub_shift);
     section["hoop_migration"] = options.hoop_migration;
     if (std::isfinite(options.friction)) {
         section["friction"] = options.friction;

@@ -8,21 +8,47 @@
 #include "core/error.hpp"
 #include "discrepancy/diagnosis.hpp"
 #include "discrepancy/planned_measurement.hpp"
+#include "discrepancy/remembered_problem.hpp"
 #include "discrepancy/surface_problem.hpp"
 
 #include <fmt/format.h>
 
-#include <numeric>
+#include <algorithm>
+#include <utility>
 
 namespace braidzone {
+namespace {
+
+/// With the surface and end markers, and a density map or the contact force besides.
+std::vector<ChannelSeparability> separability_by_channels(const DiagnosisProblem& problem,
+                                                          const Observations& planned)
+{
+    const Observations surface{.points = {}, .field = planned.field, .scalars = {}};
+    const PlannedRows rows = planned_rows(surface, planned);
+    std::vector<ChannelSeparability> all = {{"surface", separability(problem, rows.measured)}};
+    std::vector<int> with_ends = rows.measured;
+    for (const FurtherChannel& channel : rows.channels) {
+        std::vector<int> with = with_ends;
+        with.insert(with.end(), channel.rows.begin(), channel.rows.end());
+        const bool is_ends = channel.name == "end_markers";
+        std::string name = channel.name;
+        std::replace(name.begin(), name.end(), '_', ' ');
+        all.push_back({is_ends ? "surface and " + name : "surface, end markers and " + name,
+                       separability(problem, with), channel.measurement});
+        if (is_ends) with_ends = std::move(with);
+    }
+    return all;
+}
+
+}  // namespace
 
 void tell_separability(const std::filesystem::path& case_file, const DiagnoseCommand& command,
                        const CommonOptions& options)
 {
-    if (!command.measured.empty() || command.scalars) {
+    if (!command.measured.empty() || command.scalars || command.density_map) {
         throw ConfigError(
             "--separability tells what a measurement could tell before there is one; leave "
-            "--measured and --scalars out");
+            "--measured, --scalars and --density-map out");
     }
     const Case job = read_diagnosed_case(case_file, options.overrides);
     const NoiseFloor floor = command.noise ? read_noise_floor(*command.noise) : NoiseFloor{};
@@ -39,23 +65,20 @@ void tell_separability(const std::filesystem::path& case_file, const DiagnoseCom
     const Observations planned = planned_observations(base, model.imaging);
     const EffectSetting setting = effect_setting(model, base, planned.points);
     const ErrorModel error = make_error_model(planned, floor);
-    const DiagnosisProblem problem =
-        surface_problem({lumen, setting, base, planned, error, floor}, effect_catalogue());
-    std::vector<int> rows(static_cast<std::size_t>(error.num_patches));
-    std::iota(rows.begin(), rows.end(), 0);
-    std::vector<ChannelSeparability> all = {{"surface", separability(problem, rows)}};
-    rows.resize(static_cast<std::size_t>(num_residuals(planned)));
-    std::iota(rows.begin(), rows.end(), 0);
-    all.push_back({"surface and end markers", separability(problem, rows)});
+    const DiagnosisProblem problem = remembered(
+        surface_problem({lumen, setting, base, planned, error, floor}, effect_catalogue()));
+    const std::vector<ChannelSeparability> all = separability_by_channels(problem, planned);
     progress.end();
 
     nlohmann::ordered_json json = {{"program", program_name}};
     for (const ChannelSeparability& channels : all)
         json["separability"].push_back(separability_as_json(channels));
+    json["gains"] = gains_as_json(all);
     output.write(json.dump(1) + "\n");
     if (options.quiet) return;
     for (const ChannelSeparability& channels : all)
         fmt::print("{}\n", separability_text(channels));
+    fmt::print("{}\n", gains_text(all));
     fmt::print("written to {}\n", output.path().string());
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -42,6 +43,68 @@ std::string in_words(const Separability& found)
                        pairs.empty() ? "none" : fmt::format("{}", fmt::join(pairs, ", ")));
 }
 
+/// Two effects, or an effect and none, that the first channels do not tell apart.
+struct Gain {
+    std::string first, second;
+    double from = 0.0, to = 0.0;
+    std::size_t channels = 0;  ///< index of those that d' is `to` with
+};
+
+/// The cheapest channels that separate two, or those with the greatest d'.
+template <typename Separation>
+void add_gain(std::vector<Gain>& gains, const std::vector<ChannelSeparability>& all, Gain gain,
+              const Separation& separation)
+{
+    gain.from = separation(all.front().separability);
+    if (!(gain.from < least_separation)) return;
+    gain.to = gain.from;
+    for (std::size_t i = 1; i < all.size() && gain.to < least_separation; ++i) {
+        const double here = separation(all[i].separability);
+        if (!(here > gain.to)) continue;
+        gain.to = here;
+        gain.channels = i;
+    }
+    gains.push_back(gain);
+}
+
+std::vector<Gain> gains_of(const std::vector<ChannelSeparability>& all)
+{
+    const std::vector<std::string>& names = all.front().separability.names;
+    std::vector<Gain> gains;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        add_gain(gains, all, {names[i], "none"},
+                 [&](const Separability& found) { return found.detection[row]; });
+        for (std::size_t j = i + 1; j < names.size(); ++j) {
+            const auto column = static_cast<Eigen::Index>(j);
+            add_gain(gains, all, {names[i], names[j]}, [&](const Separability& found) {
+                return std::min(found.separation(row, column), found.separation(column, row));
+            });
+        }
+    }
+    return gains;
+}
+
+bool is_separated(const Gain& gain)
+{
+    return gain.to >= least_separation;
+}
+
+/// Those of the gains that fulfil a condition: "a / b (1.2 -> 5.2), ...".
+template <typename Condition>
+std::string gains_line(const std::vector<Gain>& gains, const std::string& title,
+                       const Condition& condition)
+{
+    std::vector<std::string> texts;
+    for (const Gain& gain : gains) {
+        if (!condition(gain)) continue;
+        texts.push_back(
+            fmt::format("{} / {} ({:.1f} -> {:.1f})", gain.first, gain.second, gain.from, gain.to));
+    }
+    if (texts.empty()) return "";
+    return fmt::format("  {}: {}\n", title, fmt::join(texts, ", "));
+}
+
 }  // namespace
 
 Json separability_as_json(const ChannelSeparability& channels)
@@ -73,6 +136,35 @@ std::string separability_text(const ChannelSeparability& channels)
             text += fmt::format(" {}", cell(found.separation(row, j)));
     }
     return text + "\n" + in_words(found);
+}
+
+Json gains_as_json(const std::vector<ChannelSeparability>& all)
+{
+    Json json = Json::array();
+    for (const Gain& gain : gains_of(all)) {
+        json.push_back({{"first", gain.first},
+                        {"second", gain.second},
+                        {"from", gain.from},
+                        {"to", gain.to},
+                        {"channels", all[gain.channels].channels},
+                        {"is_separated", is_separated(gain)}});
+    }
+    return json;
+}
+
+std::string gains_text(const std::vector<ChannelSeparability>& all)
+{
+    const std::vector<Gain> gains = gains_of(all);
+    std::string text = fmt::format(
+        "d' of what the {} does not tell apart, with the cheapest measurement that does\n",
+        all.front().channels);
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        text += gains_line(gains, all[i].added, [&](const Gain& gain) {
+            return is_separated(gain) && gain.channels == i;
+        });
+    }
+    return text +
+           gains_line(gains, "none of these", [](const Gain& gain) { return !is_separated(gain); });
 }
 
 }  // namespace braidzone

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace braidzone {
 
@@ -12,6 +13,7 @@ namespace braidzone {
 struct ChannelSeparability {
     std::string channels;  ///< "surface and end markers"
     Separability separability;
+    std::string added = {};  ///< "both ends to 0.3 mm": what it has over those before it
 };
 
 /// d' of all pairs and against no effect, as in `separability.hpp`.
@@ -20,5 +22,14 @@ nlohmann::ordered_json separability_as_json(const ChannelSeparability& channels)
 /// The matrix for the terminal, rows the effect that is there, columns the one that is fitted, and
 /// in words what could not be seen or told apart.
 std::string separability_text(const ChannelSeparability& channels);
+
+/// What the first channels do not tell apart (d' < 3, the smaller of both directions; against
+/// "none" for an effect that cannot be seen), with the cheapest channels that do, or those of the
+/// greatest d' if none does.
+/// @param all  cheapest first, at least one
+nlohmann::ordered_json gains_as_json(const std::vector<ChannelSeparability>& all);
+
+/// The same for the terminal, one line a channel.
+std::string gains_text(const std::vector<ChannelSeparability>& all);
 
 }  // namespace braidzone

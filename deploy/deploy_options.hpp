@@ -32,6 +32,9 @@ struct DeployOptions {
     /// lumen or on the centerline (`centre_rings`), 1 finds its own place in the ring's plane, and
     /// between them a spring ties it to its place (`opening_braid.hpp`).
     double hub_freedom = 0.0;
+    /// Shift of the hub of the ring that is open widest towards its open side [m], of others by
+    /// their share (`hub_shift.hpp`).
+    double hub_shift = 0.0;
     /// Nodes move around their ring where no wall holds them.
     bool hoop_migration = false;
     /// Coulomb's coefficient between wire and wall [-]: 0 for none, or infinite. It matters only

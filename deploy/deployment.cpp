@@ -2,6 +2,7 @@
 
 #include "deploy/crimped_braid.hpp"
 #include "deploy/deployment_measures.hpp"
+#include "deploy/hub_shift.hpp"
 #include "deploy/landing_zone.hpp"
 #include "deploy/lattice_mapping.hpp"
 #include "deploy/network_deployment.hpp"
@@ -43,11 +44,13 @@ std::vector<CrossSection> sections_at(const Centerline& centerline,
 CrimpedBraid lay_out_rings(const FlowDiverter& device, const BraidLattice& lattice,
                            const std::vector<double>& positions,
                            const std::vector<AxialTwist>& twists, const Centerline& centerline,
-                           const WallTree& wall, bool centre_rings)
+                           const WallTree& wall, const DeployOptions& options)
 {
-    const std::vector<CrossSection> rings =
-        centre_rings ? centred_rings(centerline, wall, positions, lattice.nominal_radius)
-                     : sections_at(centerline, positions);
+    std::vector<CrossSection> rings =
+        options.centre_rings ? centred_rings(centerline, wall, positions, lattice.nominal_radius)
+                             : sections_at(centerline, positions);
+    if (options.hub_shift > 0.0)
+        shift_hubs(rings, positions, wall, lattice.nominal_radius, options.hub_shift);
     const std::vector<double> turns = ring_turns(twists, lattice, positions);
     return crimp(twisted(lattice, turns), rings, 0.5 * device.catheter_diameter, turns);
 }
@@ -264,8 +267,8 @@ Deployment deploy(const FlowDiverter& device, const Centerline& centerline, cons
     std::vector<double> positions = release_positions(device, lattice, centerline, wall, schedule,
                                                       landing_distal, options.centre_rings);
     require_device_on_centerline(centerline, positions);
-    const CrimpedBraid crimped = lay_out_rings(device, lattice, positions, schedule.twists,
-                                               centerline, wall, options.centre_rings);
+    const CrimpedBraid crimped =
+        lay_out_rings(device, lattice, positions, schedule.twists, centerline, wall, options);
     require_room_for_catheter(crimped, positions, wall);
     require_fitting_diameter(device, crimped.rings);
 
@@ -289,10 +292,10 @@ Deployment deploy(const FlowDiverter& device, const Centerline& centerline, cons
         const BraidLattice crossings = make_lattice(device);
         const LatticeMapping mapping = make_lattice_mapping(lattice, crossings);
         positions = carried_over_rings(mapping, positions);
-        result = laid_onto(result, rest, mapping,
-                           lay_out_rings(device, crossings, positions, schedule.twists, centerline,
-                                         wall, options.centre_rings),
-                           wall, device.wire_diameter);
+        result = laid_onto(
+            result, rest, mapping,
+            lay_out_rings(device, crossings, positions, schedule.twists, centerline, wall, options),
+            wall, device.wire_diameter);
     }
     result.ring_arc_length = positions;
     result.residual_history = rest.residual_history;

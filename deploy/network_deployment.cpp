@@ -68,6 +68,12 @@ void require_consistent(const ReleaseSchedule& schedule, const DeployOptions& op
             "axial = \"free\" or hoop_migration = true",
             schedule.twists.empty() ? "incomplete_opening" : "twist"));
     }
+    if (options.hub_shift > 0.0) {
+        throw ConfigError(fmt::format(
+            "deployment.hub_shift = {:.6g} mm does not go together with axial = \"free\" or "
+            "hoop_migration = true, where rings find their own place; leave it out",
+            1e3 * options.hub_shift));
+    }
     if (options.hub_freedom > 0.0 && options.hub_freedom < 1.0) {
         throw ConfigError(fmt::format(
             "deployment.hub_freedom = {:.6g}: with axial = \"free\" or hoop_migration = true the "

@@ -4,6 +4,7 @@
 #include "discrepancy/background_estimate.hpp"
 #include "discrepancy/measurement_check.hpp"
 #include "discrepancy/surface_folds.hpp"
+#include "discrepancy/surface_further.hpp"
 #include "discrepancy/surface_problem.hpp"
 
 #include <fmt/format.h>
@@ -123,10 +124,12 @@ EffectSetting effect_setting(const Model& base, const Simulation& simulation,
 
 Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> points,
                    const MeasuredScalars& scalars, const std::vector<Effect>& catalogue,
-                   const DiagnoseOptions& options)
+                   const DiagnoseOptions& options, const DensityMap& density)
 {
     Simulation simulation = simulate(base, lumen);
     require_comparable(points, base.imaging, simulation, lumen);
+    require_force_on_device(scalars, simulation.deployment);
+    DensityField density_field = make_density_field(density, base.imaging, simulation);
     EffectSetting setting = effect_setting(base, simulation, points);
     DiscrepancyField field =
         make_discrepancy_field(points, base.imaging, simulation, options.patches);
@@ -137,16 +140,17 @@ Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> poin
             field.patches.size(), 1e3 * options.patches.length, 360.0 / options.patches.around,
             options.patches.fewest_points, fewest_patches));
     }
-    Diagnosis diagnosis{.setting = std::move(setting),
-                        .base = std::move(simulation),
-                        .openings = {},
-                        .observations = {std::move(points), std::move(field), scalars}};
+    Diagnosis diagnosis{
+        .setting = std::move(setting),
+        .base = std::move(simulation),
+        .openings = {},
+        .observations = {std::move(points), std::move(field), scalars, std::move(density_field)}};
     diagnosis.openings = find_openings(diagnosis.base.deployment, lumen.wall);
     diagnosis.error = make_error_model(diagnosis.observations, options.floor);
-    const DiagnosisProblem problem =
-        surface_problem({lumen, diagnosis.setting, diagnosis.base, diagnosis.observations,
-                         diagnosis.error, options.floor},
-                        catalogue);
+    const SurfaceData data{lumen,           diagnosis.setting,
+                           diagnosis.base,  diagnosis.observations,
+                           diagnosis.error, options.floor};
+    const DiagnosisProblem problem = surface_problem(data, catalogue);
     diagnosis.map = make_discrepancy_map(diagnosis.observations.field, diagnosis.error,
                                          problem.residuals({}).head(diagnosis.error.num_patches),
                                          options.clusters);
@@ -160,7 +164,11 @@ Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> poin
     if (explanation.best) {
         diagnosis.after = model_with(catalogue, diagnosis.setting,
                                      active_effects(explanation.fits[*explanation.best]));
+        diagnosis.predicted_after =
+            predict(*diagnosis.after, simulate(*diagnosis.after, lumen), lumen);
     }
+    diagnosis.predicted_before = predict(base, diagnosis.base, lumen);
+    diagnosis.further = further_measurement_of(data, catalogue, explanation);
     compare(diagnosis, problem, options);
     return diagnosis;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "deploy/neck.hpp"
+#include "discrepancy/device_prediction.hpp"
 #include "discrepancy/discrepancy_clusters.hpp"
 #include "discrepancy/effect.hpp"
 #include "discrepancy/explanation.hpp"
+#include "discrepancy/further_measurement.hpp"
 #include "discrepancy/gap.hpp"
 #include "discrepancy/held_out.hpp"
 
@@ -34,9 +36,12 @@ struct Diagnosis {
     ErrorModel error = {};
     DiscrepancyMap map = {};                ///< of the case as it is
     std::vector<ClusterPlace> places = {};  ///< of its clusters
-    Explanation explanation = {};           ///< residuals in [m]
+    Explanation explanation = {};           ///< residuals in the units of `residuals`
+    FurtherMeasurement further = {};        ///< that would tell the answers apart
     std::optional<Model> after = {};        ///< the base model with the best answer's effects
     std::optional<DiscrepancyMap> map_after = {};
+    DevicePrediction predicted_before = {};  ///< of the case as it is
+    std::optional<DevicePrediction> predicted_after = {};
     std::vector<int> zone = {};  ///< patches that the effects move, or of the clusters
     GapComparison everywhere = {}, in_zone = {};
     HeldOutGap held_out = {};  ///< in the blocks of `surface_folds`
@@ -53,10 +58,13 @@ EffectSetting effect_setting(const Model& base, const Simulation& simulation,
 /// @param base    the case
 /// @param points  measured, in the frame of the scan [m]
 /// @param catalogue  effects to choose from
+/// @param density  measured in the same frame; no places if it was not
 /// @throws InputError if the points cannot be compared with the device (`require_comparable`), or
-///         fill fewer than 20 patches; else what the deployment of the case throws
+///         fill fewer than 20 patches, the density map does not lie over the device
+///         (`make_density_field`), or a measured force acts on a stretch without device; else what
+///         the deployment of the case throws
 Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> points,
                    const MeasuredScalars& scalars, const std::vector<Effect>& catalogue,
-                   const DiagnoseOptions& options = {});
+                   const DiagnoseOptions& options = {}, const DensityMap& density = {});
 
 }  // namespace braidzone

@@ -34,9 +34,9 @@ struct ActiveEffect {
 /// of an observable. One small adapter makes it: of a device's surface (`surface_problem.hpp`), a
 /// press test's force curve, a bench's pressure drop.
 ///
-/// Residuals are measured minus simulated, in the observable's own unit. The first of them,
+/// Residuals are measured minus simulated, each in its own unit. The first of them,
 /// `distances.rows()`, form a field over a coordinate of their own (places on the device,
-/// displacements of a head, velocities); the others are single numbers.
+/// displacements of a head, velocities); the others are single numbers, of one or several channels.
 struct DiagnosisProblem {
     std::vector<Candidate> candidates;
     /// Residuals with effects in the model, none for the case as it is; may be called from several
@@ -54,8 +54,14 @@ struct DiagnosisProblem {
     /// Standard deviations and correlation lengths of the unknown effect, a Gaussian process over
     /// the field, each combination alike probable.
     std::vector<double> unknown_amplitudes, unknown_lengths;
-    /// Standard deviations by which the single numbers may be off for unknown reasons.
-    std::vector<double> unknown_deviations;
+    /// How single numbers may be off for unknown reasons: for each of their channels the covariance
+    /// of a deviation of size 1, |single numbers| x |single numbers|, 0 but for those of the
+    /// channel, each in its own unit. Channels are alike probable.
+    std::vector<Eigen::MatrixXd> unknown_channels;
+    std::vector<double> unknown_deviations;  ///< sizes of such deviations, alike probable
+    /// Correlation of the error of an effect's implementation among the single numbers, 0 for those
+    /// it does not touch. Empty: it touches none.
+    Eigen::MatrixXd shape_correlation;
 };
 
 }  // namespace braidzone

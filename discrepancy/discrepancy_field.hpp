@@ -46,9 +46,6 @@ struct Patch {
 struct DiscrepancyField {
     std::vector<Patch> patches;  ///< rows and columns increasing
     PatchOptions options;
-    /// Signed distance of each measured point to the base model's surface [m]; without meaning for
-    /// points that are in no patch.
-    std::vector<double> base_distance;
     int num_points = 0;
     int num_on_rim = 0;     ///< left out: nearest to the device's rim
     int num_far = 0;        ///< left out: no device, `PatchOptions::farthest`
@@ -67,11 +64,15 @@ DiscrepancyField make_discrepancy_field(const std::vector<Vec3>& points, const I
 /// The patches' medians if an altered model had been simulated [m]: the same points in the same
 /// patches, so that models are compared on the same data.
 ///
-/// A point beyond the altered device's ends says nothing about its surface; the base model's
-/// distance stands in for it, as both lie on the wall there. Where the device ends is told by
-/// `MeasuredScalars`.
+/// A point beyond the altered device's ends says nothing about its surface. Its distance from the
+/// base model's device stands in for it, as both lie on the wall there; over the first 0.4 mm the
+/// distance from the plane that touches the altered surface at its rim goes over into it, so that
+/// medians change smoothly. Where the device ends is told by `MeasuredScalars`.
+/// @param surface  of the altered model
+/// @param base     of the base model
 Eigen::VectorXd patch_medians(const std::vector<Vec3>& points, const DiscrepancyField& field,
-                              const Imaging& imaging, const DeviceSurface& surface);
+                              const Imaging& imaging, const DeviceSurface& surface,
+                              const DeviceSurface& base);
 
 /// Median of values, the mean of the middle two if their number is even. `values` are reordered.
 double median_of(std::vector<double>& values);

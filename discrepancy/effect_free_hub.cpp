@@ -2,31 +2,29 @@
 
 namespace braidzone {
 
-/// Rings find their own place in the lumen instead of staying in its middle.
+/// Rings lie nearer to their open side than the balance of their springs has them.
 ///
-/// The hub of a ring's radial springs gives way to them (`opening_braid.hpp`): where the wall holds
-/// the ring on one side only, it shifts into the open side, and the braid bulges further into a
-/// neck. Of the paper's two migrations it is that of the whole ring; that of its nodes around the
-/// ring is `deployment.hoop_migration`, which has no continuous counterpart. In a vessel that holds
-/// the ring all around but for a neck it moves the surface by some micrometres only, and will be
-/// found to be one that cannot be told. Prior 0.5 of a free hub. Key: deployment.hub_freedom.
+/// Wires that slide around their rings gather in front of a neck, and the rings shift into it as a
+/// whole: the braid bulges further there while its length and the wall's side stay
+/// (`hub_shift.hpp`). Prior 0.1 mm: lobes of 0.1 to 0.2 mm beside a pinned opposite wall are what
+/// comparisons with real devices leave. Key: deployment.hub_shift.
 Effect free_hub_effect()
 {
     const auto parameters = [](const EffectSetting& setting) {
+        const double base = setting.base.options.hub_shift;
         return std::vector<EffectParameter>{
-            normal_parameter("freedom", "1", setting.base.options.hub_freedom, 0.5, 0.0, 1.0)};
+            normal_parameter("shift", "mm", base, 0.1e-3, 0.0, base + 0.5e-3)};
     };
     const auto starts = [](const EffectSetting& setting) {
-        const double base = setting.base.options.hub_freedom;
-        return std::vector<std::vector<double>>{{base < 0.5 ? base + 0.4 : base - 0.4}};
+        return std::vector<std::vector<double>>{{setting.base.options.hub_shift + 0.1e-3}};
     };
     const auto apply = [](const EffectSetting& setting, const std::vector<double>& x) {
         Model model = setting.base;
-        model.options.hub_freedom = x[0];
+        model.options.hub_shift = x[0];
         return model;
     };
-    return {"free_hub", "the rings' hubs give way",
-            true,       "contact forces on the wall beside and across from the neck",
+    return {"free_hub", "the rings have shifted into the neck",
+            true,       "a map of the braid angle around the device in front of the neck",
             parameters, starts,
             apply};
 }

@@ -1,5 +1,7 @@
 #include "discrepancy/error_model.hpp"
 
+#include "discrepancy/channel_errors.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -106,6 +108,7 @@ ErrorModel make_error_model(const Observations& observations, const NoiseFloor& 
         for (std::size_t j = 0; j < given.size(); ++j)
             model.background(row, n + static_cast<Eigen::Index>(j)) = ends(given[i], given[j]);
     }
+    add_channel_errors(model, observations, floor);
     return model;
 }
 

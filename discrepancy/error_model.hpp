@@ -7,7 +7,8 @@
 
 namespace braidzone {
 
-/// Covariance of the residuals where no effect is missing, in its parts [m^2].
+/// Covariance of the residuals where no effect is missing, in its parts, each row in its own unit:
+/// [m^2] of patches and lengths.
 ///
 ///     C = W + B + o^2 1 1' + G Lambda G'        patches
 ///     W = diag(white_scale 1.57 sd^2 / n)       scatter of the points, of a median; sd of a patch
@@ -16,12 +17,13 @@ namespace braidzone {
 ///     G = [n, (x - x0) x n]                     what a small motion of the scan does to a patch
 ///
 /// The registration is marginalised: a misplacement of the scan as large as its prior Lambda
-/// explains costs nothing, and none is subtracted beforehand. The scalars have a block of their
-/// own: their own variance, the landing's, common to both ends, and the length's.
+/// explains costs nothing, and none is subtracted beforehand. The lengths have a block of their
+/// own: their own variance, the landing's, common to both ends, and the length's. So have densities
+/// and force (`channel_errors.hpp`).
 struct ErrorModel {
-    Eigen::VectorXd white;            ///< W, and the scalars' own variances
-    Eigen::MatrixXd background;       ///< B and the offset; of the scalars, landing and length
-    Eigen::MatrixXd motion;           ///< G; rows of the scalars are 0; columns: shift, rotation
+    Eigen::VectorXd white;            ///< W, and the own variances of what follows the patches
+    Eigen::MatrixXd background;       ///< B and the offset; of the lengths, landing and length
+    Eigen::MatrixXd motion;           ///< G; 0 but for patches; columns: shift, rotation
     Eigen::VectorXd motion_variance;  ///< diagonal of Lambda
     Eigen::Index num_patches = 0;
 

@@ -11,6 +11,12 @@ Eigen::MatrixXd with_implementation_error(const DiagnosisProblem& problem,
     covariance.topLeftCorner(n, n) +=
         (size * size.transpose())
             .cwiseProduct((-problem.distances.array() / problem.correlation_length).exp().matrix());
+    if (problem.shape_correlation.size() > 0) {
+        const Eigen::Index count = change.size() - n;
+        const Eigen::VectorXd of_numbers = ratio * change.tail(count).cwiseAbs();
+        covariance.bottomRightCorner(count, count) +=
+            (of_numbers * of_numbers.transpose()).cwiseProduct(problem.shape_correlation);
+    }
     return covariance;
 }
 

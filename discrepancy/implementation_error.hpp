@@ -10,8 +10,9 @@ namespace braidzone {
 ///
 ///     C + (rho |m|)^2, correlated as exp(-distance / correlation_length)
 ///
-/// with m what the effect changes. Without it the imperfect shape of one effect is taken for a
-/// second one (in a prototype 9 to 18 % of single effects; 4 to 9 % with rho = 0.2).
+/// with m what the effect changes in the field; in the single numbers, correlated as
+/// `DiagnosisProblem::shape_correlation` says. Without it the imperfect shape of one effect is
+/// taken for a second one (in a prototype 9 to 18 % of single effects; 4 to 9 % with rho = 0.2).
 /// @param change  of the residuals, by the effects
 /// @param ratio   rho; >= 0
 Eigen::MatrixXd with_implementation_error(const DiagnosisProblem& problem,

@@ -120,4 +120,16 @@ void require_comparable(const std::vector<Vec3>& points, const Imaging& imaging,
         place_text(middle), 1e3 * lumen.wall.nearest(middle).distance));
 }
 
+void require_force_on_device(const MeasuredScalars& scalars, const Deployment& deployment)
+{
+    const auto& force = scalars.contact_force;
+    if (!force) return;
+    const double from = proximal_end(deployment), to = distal_end(deployment);
+    if (force->from < to && force->to > from) return;
+    throw InputError(fmt::format(
+        "the measured contact force acts from {:.4g} to {:.4g} mm along the centerline, the "
+        "simulated device lies from {:.4g} to {:.4g} mm: the stretches must overlap",
+        1e3 * force->from, 1e3 * force->to, 1e3 * from, 1e3 * to));
+}
+
 }  // namespace braidzone

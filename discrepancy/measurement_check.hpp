@@ -1,5 +1,6 @@
 #pragma once
 
+#include "discrepancy/measured_scalars.hpp"
 #include "discrepancy/model.hpp"
 
 #include <vector>
@@ -15,5 +16,9 @@ namespace braidzone {
 ///         from the vessel.
 void require_comparable(const std::vector<Vec3>& points, const Imaging& imaging,
                         const Simulation& simulation, const Lumen& lumen);
+
+/// Refuses a measured force on a stretch of the vessel where the simulated device does not lie.
+/// @throws InputError with both stretches
+void require_force_on_device(const MeasuredScalars& scalars, const Deployment& deployment);
 
 }  // namespace braidzone

@@ -30,23 +30,24 @@ Deployment deploy_in(const Model& model, const Lumen& lumen)
     return deploy_in(model, lumen, options);
 }
 
-/// In the lumen as the model changes it.
-Deployment deploy_in_changed(const Model& model, const Lumen& lumen)
+}  // namespace
+
+std::optional<Lumen> changed_lumen(const Model& model, const Lumen& lumen)
 {
     const bool is_straighter = model.straightening.share > 0.0;
-    if (model.wall_offset == 0.0 && !is_straighter) return deploy_in(model, lumen);
-    if (!is_straighter) return deploy_in(model, with_moved_wall(lumen, model.wall_offset));
-    if (model.wall_offset == 0.0)
-        return deploy_in(model, straightened_lumen(lumen, model.straightening));
-    return deploy_in(
-        model, straightened_lumen(with_moved_wall(lumen, model.wall_offset), model.straightening));
+    if (model.wall_offset == 0.0) {
+        if (!is_straighter) return std::nullopt;
+        return straightened_lumen(lumen, model.straightening);
+    }
+    Lumen moved = with_moved_wall(lumen, model.wall_offset);
+    if (!is_straighter) return moved;
+    return straightened_lumen(moved, model.straightening);
 }
-
-}  // namespace
 
 Simulation simulate(const Model& model, const Lumen& lumen)
 {
-    Deployment deployment = deploy_in_changed(model, lumen);
+    const std::optional<Lumen> changed = changed_lumen(model, lumen);
+    Deployment deployment = deploy_in(model, changed ? *changed : lumen);
     if (!deployment.converged) {
         throw ConvergenceError(fmt::format(
             "the deployment did not come to rest in {} steps: the largest force on a free node is "
@@ -55,7 +56,7 @@ Simulation simulate(const Model& model, const Lumen& lumen)
     }
     DeviceSurface surface(
         deployment, imaged_sheet(deployment, model.device.wire_diameter, model.imaging.chain));
-    return {std::move(deployment), std::move(surface)};
+    return {std::move(deployment), std::move(surface), model.device};
 }
 
 double distal_end(const Deployment& deployment)

@@ -6,6 +6,8 @@
 #include "discrepancy/imaging.hpp"
 #include "discrepancy/lumen.hpp"
 
+#include <optional>
+
 namespace braidzone {
 
 /// Everything that an effect may change: what the deployment is made from, and how its result was
@@ -24,7 +26,12 @@ struct Model {
 struct Simulation {
     Deployment deployment;
     DeviceSurface surface;  ///< through the imaging chain of the model
+    FlowDiverter device = {};
 };
+
+/// The lumen as a model changes it; none if it does not.
+/// @throws GeometryError if the vessel cannot be changed so far
+std::optional<Lumen> changed_lumen(const Model& model, const Lumen& lumen);
 
 /// Deploys the device of a model.
 /// @param lumen  of the case; `model.wall_offset` and `model.straightening` come on top

@@ -20,6 +20,7 @@ struct Entry {
     std::string key;
     double NoiseFloor::*value;
     double unit;
+    bool is_optional = false;
 };
 
 const std::vector<Entry>& entries()
@@ -33,6 +34,9 @@ const std::vector<Entry>& entries()
         {"white_scale", &NoiseFloor::white_scale, 1.0},
         {"landing_sd_mm", &NoiseFloor::landing_sd, millimetre},
         {"length_sd_mm", &NoiseFloor::length_sd, millimetre},
+        {"density_relative_sd", &NoiseFloor::density_sd, 1.0, true},
+        {"density_scale_relative_sd", &NoiseFloor::density_scale_sd, 1.0, true},
+        {"contact_force_relative_sd", &NoiseFloor::force_sd, 1.0, true},
     };
     return all;
 }
@@ -59,6 +63,7 @@ NoiseFloor read_noise_floor(const std::filesystem::path& path)
                        ? json["source"].get<std::string>()
                        : path.string();
     for (const Entry& entry : entries()) {
+        if (entry.is_optional && !json.contains(entry.key)) continue;
         if (!json.contains(entry.key) || !json[entry.key].is_number()) {
             throw InputError(fmt::format("noise file {}: {} is missing or not a number",
                                          path.string(), entry.key));

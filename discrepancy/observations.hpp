@@ -1,5 +1,6 @@
 #pragma once
 
+#include "discrepancy/density_field.hpp"
 #include "discrepancy/discrepancy_field.hpp"
 #include "discrepancy/measured_scalars.hpp"
 
@@ -9,18 +10,32 @@
 
 namespace braidzone {
 
-/// All data of a diagnosis: the measured points in patches, then the measured scalars.
+/// All data of a diagnosis: the measured points in patches, then what else was measured.
 struct Observations {
     std::vector<Vec3> points;  ///< in the frame of the scan [m]
     DiscrepancyField field;
     MeasuredScalars scalars;
+    DensityField density = {};
 };
 
-/// Patches, then the scalars that were measured.
+/// Where the residuals of each channel begin, and how many it has: in this order, those that were
+/// not measured left out.
+struct ResidualRows {
+    Eigen::Index num_patches = 0;
+    Eigen::Index lengths = 0, num_lengths = 0;  ///< the measured ones of `MeasuredScalars::values`
+    Eigen::Index density = 0, num_density = 0;
+    Eigen::Index force = 0, num_force = 0;
+    Eigen::Index size = 0;  ///< of all
+};
+ResidualRows residual_rows(const Observations& observations);
+
+/// Patches, lengths, densities and force that were measured.
 Eigen::Index num_residuals(const Observations& observations);
 
-/// Measured minus simulated [m]: medians of the patches, then the scalars that were measured.
+/// Measured minus simulated: medians of the patches and lengths [m], densities in the unit of their
+/// quantity, force [N].
+/// @param base  device of the base model, see `patch_medians`
 Eigen::VectorXd residuals(const Observations& observations, const Simulation& simulation,
-                          const Imaging& imaging);
+                          const Imaging& imaging, const DeviceSurface& base);
 
 }  // namespace braidzone

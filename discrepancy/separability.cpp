@@ -7,38 +7,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <utility>
 
 namespace braidzone {
 namespace {
 
-/// Residuals of the chosen rows alone, each simulation made once.
+/// Residuals of the chosen rows alone.
 DiagnosisProblem of_rows(const DiagnosisProblem& problem, const std::vector<int>& rows)
 {
-    struct Memory {
-        std::mutex access;
-        std::map<std::pair<std::size_t, std::vector<double>>, Eigen::VectorXd> known;
-    };
     DiagnosisProblem chosen = problem;
-    const auto memory = std::make_shared<Memory>();
-    chosen.residuals = [problem, rows, memory](const std::vector<ActiveEffect>& effects) {
-        const auto simulated = [&]() -> Eigen::VectorXd {
-            return problem.residuals(effects)(rows);
-        };
-        if (effects.size() != 1) return simulated();
-        const std::pair key{effects.front().candidate, effects.front().values};
-        {
-            const std::scoped_lock lock(memory->access);
-            const auto found = memory->known.find(key);
-            if (found != memory->known.end()) return found->second;
-        }
-        Eigen::VectorXd residuals = simulated();
-        const std::scoped_lock lock(memory->access);
-        memory->known.emplace(key, residuals);
-        return residuals;
+    chosen.residuals = [problem,
+                        rows](const std::vector<ActiveEffect>& effects) -> Eigen::VectorXd {
+        return problem.residuals(effects)(rows);
     };
     chosen.covariance = problem.covariance(rows, rows);
     return chosen;

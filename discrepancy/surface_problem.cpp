@@ -1,5 +1,7 @@
 #include "discrepancy/surface_problem.hpp"
 
+#include "discrepancy/channel_errors.hpp"
+
 #include <algorithm>
 
 namespace braidzone {
@@ -27,8 +29,9 @@ DiagnosisProblem surface_problem(const SurfaceData& data, const std::vector<Effe
             std::any_of(effects.begin(), effects.end(), [&](const ActiveEffect& effect) {
                 return catalogue[effect.candidate].changes_deployment;
             });
-        if (!must_deploy) return residuals(data.observations, data.base, model.imaging);
-        return residuals(data.observations, simulate(model, data.lumen), model.imaging);
+        const DeviceSurface& base = data.base.surface;
+        if (!must_deploy) return residuals(data.observations, data.base, model.imaging, base);
+        return residuals(data.observations, simulate(model, data.lumen), model.imaging, base);
     };
     problem.covariance = data.error.covariance();
     problem.nuisance =
@@ -37,7 +40,9 @@ DiagnosisProblem surface_problem(const SurfaceData& data, const std::vector<Effe
     problem.correlation_length = data.floor.background_length;
     problem.unknown_amplitudes = {0.04e-3, 0.08e-3, 0.16e-3, 0.32e-3};
     problem.unknown_lengths = {1e-3, 2e-3, 4e-3};
-    problem.unknown_deviations = {1e-3, 4e-3};
+    problem.unknown_channels = unknown_channels(data.observations);
+    problem.unknown_deviations = {1.0, 4.0};
+    problem.shape_correlation = shape_correlation(data.observations, data.floor.background_length);
     return problem;
 }
 

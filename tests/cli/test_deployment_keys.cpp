@@ -113,6 +113,7 @@ TEST(DeploymentKeys, NameTheShareOfASwitchOrAnEndOfIt)
 {
     EXPECT_EQ(read("hub_freedom = 0.3\n").options.hub_freedom, 0.3);
     EXPECT_EQ(read("ring_hub = \"free\"\n").options.hub_freedom, 1.0);
+    EXPECT_EQ(read("hub_shift = \"0.1 mm\"\n").options.hub_shift, 0.1e-3);
     EXPECT_EQ(read("sliding = 0.25\n").schedule.sliding, 0.25);
     EXPECT_THAT(refusal("sliding = 1.5\n"),
                 HasSubstr("deployment.sliding = 1.5 is out of range; allowed are 0 (nominal) to 1 "

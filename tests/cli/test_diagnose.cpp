@@ -245,7 +245,7 @@ TEST(EffectCase, HoldsEveryEffectInItsOwnKeys)
         {"axial_twist", "deployment.twist.0."},
         {"incomplete_opening_proximal", "deployment.incomplete_opening.0."},
         {"incomplete_opening_distal", "deployment.incomplete_opening.0."},
-        {"free_hub", "deployment.hub_freedom: "}};
+        {"free_hub", "deployment.hub_shift: "}};
     for (const Effect& effect : effect_catalogue()) {
         FittedEffect fitted;
         fitted.name = effect.name;

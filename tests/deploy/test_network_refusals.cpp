@@ -38,6 +38,9 @@ TEST(NetworkDeployment, RefusesWhatGoesWithNodesOnRays)
                     HasSubstr("deployment.twist goes with nodes that stay on their rays only"));
         EXPECT_THAT(refusal({.incomplete_openings = {{DeviceEnd::proximal, 2e-3, 0.2}}}, options),
                     HasSubstr("deployment.incomplete_opening goes with nodes"));
+        options.hub_shift = 0.1e-3;
+        EXPECT_THAT(refusal({}, options), HasSubstr("deployment.hub_shift = 0.1 mm does not go"));
+        options.hub_shift = 0.0;
         options.hub_freedom = 0.5;
         EXPECT_THAT(refusal({}, options),
                     HasSubstr("deployment.hub_freedom = 0.5: with axial = \"free\""));

@@ -95,7 +95,7 @@ TEST(PatchMedians, AreThoseOfAnotherSurfaceForTheSamePoints)
     const Simulation base = straight_simulation(2e-3), wider = straight_simulation(2.1e-3);
     const auto points = cylinder_points([](double, double) { return 2e-3; }, 1e-3, 9e-3);
     const DiscrepancyField field = make_discrepancy_field(points, {}, base);
-    const Eigen::VectorXd medians = patch_medians(points, field, {}, wider.surface);
+    const Eigen::VectorXd medians = patch_medians(points, field, {}, wider.surface, base.surface);
     ASSERT_EQ(medians.size(), static_cast<Eigen::Index>(field.patches.size()));
     for (Eigen::Index i = 0; i < medians.size(); ++i)
         EXPECT_NEAR(medians[i], -0.1e-3 + 0.5 * sagitta, 0.5 * sagitta);
@@ -107,12 +107,36 @@ TEST(PatchMedians, TakeTheBaseSurfaceBeyondTheEnds)
     const Simulation base = straight_simulation(2e-3), shorter = straight_simulation(2.1e-3, 5e-3);
     const auto points = cylinder_points([](double, double) { return 2.3e-3; }, 1e-3, 9e-3);
     const DiscrepancyField field = make_discrepancy_field(points, {}, base);
-    const Eigen::VectorXd medians = patch_medians(points, field, {}, shorter.surface);
+    const Eigen::VectorXd medians = patch_medians(points, field, {}, shorter.surface, base.surface);
     for (std::size_t i = 0; i < field.patches.size(); ++i) {
         const double expected = field.patches[i].arc_length > 5.4e-3 ? 0.3e-3 : 0.2e-3;
         if (std::abs(field.patches[i].arc_length - 5e-3) < 0.9e-3) continue;
         EXPECT_NEAR(medians[static_cast<Eigen::Index>(i)], expected + 0.5 * sagitta,
                     0.5 * sagitta + 1e-6);
+    }
+}
+
+// A scan moved by (0.1, 0, 0.3) mm has points beyond the rim, but is misplaced there as elsewhere:
+// a point at (x, y) is sqrt((x + 0.1)^2 + y^2) from the axis. The plane that continues the surface
+// leans with the rim's normals, by 3 um over the moved distance.
+TEST(PatchMedians, OfAMovedScanAreContinuedBeyondTheRim)
+{
+    const Simulation base = straight_simulation(2e-3);
+    const auto points = cylinder_points([](double, double) { return 2e-3; }, 1e-3, 10e-3);
+    const DiscrepancyField field = make_discrepancy_field(points, {}, base);
+    Imaging imaging;
+    imaging.shift = Vec3(0.1e-3, 0.0, 0.3e-3);
+    const Eigen::VectorXd medians =
+        patch_medians(points, field, imaging, base.surface, base.surface);
+    for (std::size_t i = 0; i < field.patches.size(); ++i) {
+        std::vector<double> expected;
+        for (const int point : field.patches[i].points) {
+            const Vec3 moved = points[static_cast<std::size_t>(point)] + imaging.shift;
+            expected.push_back(std::hypot(moved.x(), moved.y()) - 2e-3);
+        }
+        EXPECT_NEAR(medians[static_cast<Eigen::Index>(i)], median_of(expected) + 0.5 * sagitta,
+                    0.5 * sagitta + 3e-6)
+            << "at " << field.patches[i].arc_length;
     }
 }
 
@@ -137,7 +161,7 @@ TEST(Residuals, EndWithTheScalarsThatWereMeasured)
     observations.scalars.values[2] = {9.7e-3, 0.1e-3};
     Imaging blooming;
     blooming.blooming = 0.05e-3;
-    const Eigen::VectorXd all = residuals(observations, base, blooming);
+    const Eigen::VectorXd all = residuals(observations, base, blooming, base.surface);
     ASSERT_EQ(all.size(), static_cast<Eigen::Index>(observations.field.patches.size()) + 2);
     EXPECT_NEAR(all[0], -0.05e-3 + 0.5 * sagitta, 0.5 * sagitta);
     EXPECT_NEAR(all[all.size() - 2], 0.2e-3, 1e-9);   // the distal end is at 10 mm

@@ -38,7 +38,8 @@ TEST(PlannedObservations, AgreeWithTheCase)
         imaging.pivot = size * Vec3(1e-3, 2e-3, 8e-3);
         const Observations planned = planned_observations(simulation(), imaging);
         EXPECT_GT(planned.field.patches.size(), 80u);
-        const Eigen::VectorXd left = residuals(planned, simulation(), imaging);
+        const Eigen::VectorXd left =
+            residuals(planned, simulation(), imaging, simulation().surface);
         // Normals of triangles and of the surface between crossings differ by a few degrees.
         EXPECT_LT(left.cwiseAbs().maxCoeff(), 1e-6);
     }

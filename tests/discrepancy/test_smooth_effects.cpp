@@ -46,23 +46,24 @@ std::vector<double> typical_values(const Effect& effect, const EffectSetting& se
 class SurfaceMovement {
 public:
     SurfaceMovement(const Lumen& lumen, const EffectSetting& setting)
-        : lumen_(lumen), setting_(setting)
+        : lumen_(lumen), setting_(setting), base_(simulate(setting.base, lumen))
     {
-        const Simulation base = simulate(setting.base, lumen);
-        points_ = base.deployment.nodes;
-        field_ = make_discrepancy_field(points_, setting.base.imaging, base);
+        points_ = base_.deployment.nodes;
+        field_ = make_discrepancy_field(points_, setting.base.imaging, base_);
     }
 
     /// Medians of the patches [m].
     Eigen::VectorXd operator()(const Effect& effect, const std::vector<double>& values) const
     {
         const Model model = effect.apply(setting_, values);
-        return patch_medians(points_, field_, model.imaging, simulate(model, lumen_).surface);
+        return patch_medians(points_, field_, model.imaging, simulate(model, lumen_).surface,
+                             base_.surface);
     }
 
 private:
     const Lumen& lumen_;
     const EffectSetting& setting_;
+    Simulation base_;
     std::vector<Vec3> points_;
     DiscrepancyField field_;
 };

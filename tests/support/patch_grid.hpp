@@ -1,5 +1,6 @@
 #pragma once
 
+#include "discrepancy/channel_errors.hpp"
 #include "discrepancy/diagnosis_problem.hpp"
 #include "discrepancy/discrepancy_field.hpp"
 #include "discrepancy/error_model.hpp"
@@ -49,7 +50,8 @@ inline DiagnosisProblem errors_of(const Observations& observations, const NoiseF
     problem.correlation_length = floor.background_length;
     problem.unknown_amplitudes = {0.04e-3, 0.08e-3, 0.16e-3, 0.32e-3};
     problem.unknown_lengths = {1e-3, 2e-3, 4e-3};
-    problem.unknown_deviations = {1e-3, 4e-3};
+    problem.unknown_channels = unknown_channels(observations);
+    problem.unknown_deviations = {1.0, 4.0};
     return problem;
 }
 

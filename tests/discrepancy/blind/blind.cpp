@@ -104,7 +104,7 @@ CalibrationSet calibration_set(std::uint32_t seed)
     CalibrationSet set;
     set.observations = {made.scan.points, make_discrepancy_field(made.scan.points, {}, base),
                         made.scan.ends};
-    set.residuals = residuals(set.observations, base, {});
+    set.residuals = residuals(set.observations, base, {}, base.surface);
     return set;
 }
 

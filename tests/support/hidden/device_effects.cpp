@@ -63,7 +63,8 @@ Obstacle waist(const Torque& torque, double nominal_radius)
         const Vec3 away = at.point - at.axis.origin;
         const double angle = std::atan2(away.dot(at.axis.binormal), away.dot(at.axis.normal));
         const double oval = 1.0 + torque.ovality * std::cos(2.0 * (angle - torque.direction));
-        return away.norm() - nominal_radius + torque.depth * oval / (1.0 + u * u);
+        return beyond_obstacle(away.norm() - nominal_radius, torque.depth * oval,
+                               1.0 / (1.0 + u * u));
     };
 }
 

@@ -87,7 +87,8 @@ HiddenCase made_case(HiddenStory story, const Background& background, const Scan
     HiddenCase made{.belief = story.belief,
                     .scan = {},
                     .effects = story.effects,
-                    .device = placed_device(scene)};
+                    .device = placed_device(scene),
+                    .true_device = scene.device};
     made.scan = scanned(made.device, story.scan, errors, random);
     set_registration(made);
     return made;

@@ -30,6 +30,7 @@ struct HiddenCase {
     ScannedDevice scan;
     std::vector<HiddenEffect> effects;
     HiddenDevice device;
+    FlowDiverter true_device;  ///< that was placed
 };
 
 /// A sidewall aneurysm of a random vessel, with a 4 mm device in front of its neck.

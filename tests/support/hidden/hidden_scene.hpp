@@ -31,6 +31,17 @@ struct RowPoint {
 /// What holds a device besides the wall: depth beyond it [m], as `WallLevel`.
 using Obstacle = std::function<double(const RowPoint&)>;
 
+/// Room beside an obstacle [m]: more than a braid bulges into a neck, so that what holds it in one
+/// place does not hold it elsewhere.
+constexpr double obstacle_room = 0.5e-3;
+
+/// Depth beyond an obstacle that stands `height` out of a surface at its middle (`share` 1), and
+/// has room beside it (`share` 0).
+inline double beyond_obstacle(double beyond_surface, double height, double share)
+{
+    return beyond_surface - obstacle_room + (obstacle_room + height) * share;
+}
+
 /// Everything that really happened to a device, other than its measurement.
 struct HiddenScene {
     Phantom phantom;       ///< the true vessel

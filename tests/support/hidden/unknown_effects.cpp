@@ -109,7 +109,8 @@ std::map<std::string, double> hide_ridge(HiddenStory& story, EffectSize size, st
         const double off = std::remainder(
             place.angle(at.point) - phase - 2.0 * std::numbers::pi * at.arc_length / pitch,
             2.0 * std::numbers::pi);
-        return (at.point - at.axis.origin).norm() - widest + height * bell(off, half_angle);
+        return beyond_obstacle((at.point - at.axis.origin).norm() - widest, height,
+                               bell(off, half_angle));
     });
     return {{"height", height}, {"pitch", pitch}};
 }
@@ -124,8 +125,8 @@ std::map<std::string, double> hide_kink(HiddenStory& story, EffectSize size, std
     story.scene.obstacles.push_back([=](const RowPoint& at) {
         const Vec3 side =
             std::cos(direction) * at.axis.normal + std::sin(direction) * at.axis.binormal;
-        return (at.point - at.axis.origin).dot(side) - radius +
-               depth * bell(at.arc_length - centre, 0.6e-3);
+        return beyond_obstacle((at.point - at.axis.origin).dot(side) - radius, depth,
+                               bell(at.arc_length - centre, 0.6e-3));
     });
     return {{"centre", centre}, {"depth", depth}};
 }
