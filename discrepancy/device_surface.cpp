@@ -30,9 +30,6 @@ std::size_t index(int i)
     return static_cast<std::size_t>(i);
 }
 
-/// A weight that is rounding: the foot lies on the side across from that corner.
-constexpr double no_weight = 1e-9;
-
 /// Weights of a triangle's corners at a point of it.
 Vec3 barycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 {
@@ -127,8 +124,7 @@ SurfaceFoot DeviceSurface::nearest(const Vec3& point) const
         direction += weights[i] * impl.direction[index(node)];
         foot.arc_length += weights[i] * impl.arc_length[index(node)];
         const int ring = node / impl.nodes_per_ring;
-        if (weights[i] > no_weight && (ring == 0 || ring + 1 == impl.num_rings))
-            foot.is_on_rim = true;
+        if (ring == 0 || ring + 1 == impl.num_rings) foot.is_on_rim = true;
         if (weights[i] > largest) {
             largest = weights[i];
             foot.node = node;

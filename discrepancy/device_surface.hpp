@@ -18,9 +18,7 @@ struct SurfaceFoot {
     double arc_length = 0.0;  ///< of the foot on the centerline [m]
     double angle = 0.0;       ///< about the ring's frame, -pi to pi [rad]
     int node = -1;            ///< crossing of the wires nearest to the foot
-    /// In the last row of rhombi at either end, but not on the side of it that the next row shares:
-    /// feet of points outside lie there often, and rounding must not decide.
-    bool is_on_rim = false;
+    bool is_on_rim = false;   ///< in the last row of rhombi at either end
 };
 
 /// Direction of a point from a ring's hub: angle from the frame's normal [rad], -pi to pi.

@@ -38,20 +38,4 @@ TEST(DeviceSurface, KnowsItsRims)
     EXPECT_FALSE(surface.nearest({2e-3, 0.0, 9e-3}).is_on_rim);
 }
 
-// Straight out of a crossing of the second ring the foot is the crossing itself, which triangles of
-// both rows share, and rounding would choose between them.
-TEST(DeviceSurface, LeavesTheInnerSideOfARimToTheNextRow)
-{
-    const Deployment device = test::straight_device(2e-3, 10e-3);
-    const DeviceSurface surface(device);
-    for (int column = 0; column < device.lattice.nodes_per_ring; ++column) {
-        for (const int ring : {1, device.lattice.num_rings - 2}) {
-            const Vec3& node =
-                device.nodes[static_cast<std::size_t>(device.lattice.node(ring, column))];
-            const Vec3 outwards(0.1 * node.x(), 0.1 * node.y(), 0.0);
-            EXPECT_FALSE(surface.nearest(node + outwards).is_on_rim) << ring << " " << column;
-        }
-    }
-}
-
 }  // namespace braidzone
