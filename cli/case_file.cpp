@@ -218,6 +218,10 @@ Exports read_exports(const std::vector<TomlTable>& tables, double spacing)
 Imaging read_measurement(const TomlTable& table)
 {
     Imaging imaging;
+    imaging.chain.voxel_size = table.quantity_or("voxel_size", Dimension::length, 0.0);
+    imaging.chain.blur = table.quantity_or("blur", Dimension::length, 0.0);
+    imaging.chain.threshold = table.number_or("threshold", imaging.chain.threshold);
+    validate(imaging.chain);
     imaging.blooming = table.quantity_or("blooming", Dimension::length, 0.0);
     if (table.has("shift")) imaging.shift = table.point("shift");
     if (table.has("pivot")) imaging.pivot = table.point("pivot");

@@ -137,7 +137,10 @@ Json second_device_section(const SecondDevice& second)
 
 Json measurement_section(const Imaging& imaging)
 {
-    Json section = {{"blooming", length(imaging.blooming)},
+    Json section = {{"voxel_size", length(imaging.chain.voxel_size)},
+                    {"blur", length(imaging.chain.blur)},
+                    {"threshold", imaging.chain.threshold},
+                    {"blooming", length(imaging.blooming)},
                     {"shift", point(imaging.shift)},
                     {"pivot", point(imaging.pivot)}};
     for (int axis = 0; axis < 3; ++axis)

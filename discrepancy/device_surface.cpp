@@ -1,6 +1,6 @@
 #include "discrepancy/device_surface.hpp"
 
-#include "deploy/device_lining.hpp"
+#include "deploy/node_normals.hpp"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace braidzone {
@@ -44,6 +45,7 @@ Vec3 barycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 
 struct DeviceSurface::Impl {
     TriangleMesh mesh;
+    double half_thickness = 0.0;
     Triangles triangles;
     std::vector<Vec3> normals;       // of the nodes
     std::vector<double> arc_length;  // of the nodes
@@ -59,10 +61,17 @@ double angle_about(const CrossSection& ring, const Vec3& point)
     return std::atan2(offset.dot(ring.binormal), offset.dot(ring.normal));
 }
 
-DeviceSurface::DeviceSurface(const Deployment& deployment) : impl_(std::make_unique<Impl>())
+DeviceSurface::DeviceSurface(const Deployment& deployment)
+    : DeviceSurface(deployment, {.middle = deployment.nodes})
+{
+}
+
+DeviceSurface::DeviceSurface(const Deployment& deployment, ImagedSheet sheet)
+    : impl_(std::make_unique<Impl>())
 {
     Impl& impl = *impl_;
-    impl.mesh = inner_surface(deployment, 0.0);  // without thickness: the mid-surface
+    impl.mesh = {std::move(sheet.middle), rhombus_triangles(deployment.lattice)};
+    impl.half_thickness = sheet.half_thickness;
     impl.nodes_per_ring = deployment.lattice.nodes_per_ring;
     impl.num_rings = deployment.lattice.num_rings;
     impl.normals.assign(impl.mesh.points.size(), Vec3::Zero());
@@ -124,8 +133,18 @@ SurfaceFoot DeviceSurface::nearest(const Vec3& point) const
     foot.normal = normal.normalized();
     foot.angle = std::atan2(direction.y(), direction.x());
     const Vec3 away = point - foot.point;
-    foot.distance = std::copysign(away.norm(), away.dot(foot.normal));
+    foot.distance = std::copysign(away.norm(), away.dot(foot.normal)) - impl.half_thickness;
     return foot;
+}
+
+const TriangleMesh& DeviceSurface::middle() const
+{
+    return impl_->mesh;
+}
+
+double DeviceSurface::half_thickness() const
+{
+    return impl_->half_thickness;
 }
 
 }  // namespace braidzone

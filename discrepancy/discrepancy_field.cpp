@@ -58,7 +58,7 @@ Patch make_patch(int row, int column, const Collected& collected, const Deployme
     return patch;
 }
 
-/// Distance of a point from the plane that touches the surface at its foot [m].
+/// Distance of a point from the plane that touches the surface's middle at its foot [m].
 double distance_along_normal(const SurfaceFoot& foot, const Vec3& point)
 {
     return (point - foot.point).dot(foot.normal);
@@ -73,9 +73,11 @@ double distance_from(const DeviceSurface& surface, const DeviceSurface& base, co
     const double along = distance_along_normal(foot, point);
     const double beyond = (point - foot.point - along * foot.normal).norm();
     const SurfaceFoot on_base = base.nearest(point);
-    const double from_base =
-        on_base.is_on_rim ? distance_along_normal(on_base, point) : on_base.distance;
-    return std::lerp(along, from_base, std::min(1.0, beyond / rim_reach));
+    const double from_base = on_base.is_on_rim
+                                 ? distance_along_normal(on_base, point) - base.half_thickness()
+                                 : on_base.distance;
+    return std::lerp(along - surface.half_thickness(), from_base,
+                     std::min(1.0, beyond / rim_reach));
 }
 
 }  // namespace

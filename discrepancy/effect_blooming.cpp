@@ -2,7 +2,8 @@
 
 namespace braidzone {
 
-/// The segmented device looks thicker or thinner than its wires' mid-surface.
+/// The segmented device looks thicker or thinner than its wires' mid-surface, or, where the imaging
+/// chain of the volume is known, than that chain makes it.
 ///
 /// Partial volumes and the threshold of the segmentation move the whole surface along its normal by
 /// one distance. Prior 0.1 mm: half a voxel of a C-arm scan. Key: measurement.blooming.

@@ -1,13 +1,16 @@
 #pragma once
 
 #include "core/vector.hpp"
+#include "discrepancy/imaging_chain.hpp"
 
 namespace braidzone {
 
 /// How a measured device surface came about: where the scan lies in the vessel's frame, and how
 /// much thicker the device looks than it is.
 struct Imaging {
-    /// By which the segmented surface lies outside the wires' mid-surface [m].
+    ImagingChain chain;  ///< of the volume in which the device was segmented
+    /// By which the segmented surface lies outside what the chain shows of the wires, which is
+    /// their mid-surface where no chain is known [m].
     double blooming = 0.0;
     /// The motion that brings the scan into the vessel's frame: a turn about `pivot` by the length
     /// of `rotation` [rad] about its direction, then `shift` [m].

@@ -54,7 +54,8 @@ Simulation simulate(const Model& model, const Lumen& lumen)
             "{:.6g} N, the tolerance {:.6g} N",
             deployment.steps, deployment.max_force_residual, deployment.force_tolerance));
     }
-    DeviceSurface surface(deployment);
+    DeviceSurface surface(
+        deployment, imaged_sheet(deployment, model.device.wire_diameter, model.imaging.chain));
     return {std::move(deployment), std::move(surface), model.device};
 }
 

@@ -25,7 +25,7 @@ struct Model {
 /// A device as a model deploys it.
 struct Simulation {
     Deployment deployment;
-    DeviceSurface surface;
+    DeviceSurface surface;  ///< through the imaging chain of the model
     FlowDiverter device = {};
 };
 

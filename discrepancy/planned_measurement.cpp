@@ -1,6 +1,5 @@
 #include "discrepancy/planned_measurement.hpp"
 
-#include "deploy/device_lining.hpp"
 #include "discrepancy/contact_force.hpp"
 
 #include <fmt/format.h>
@@ -15,11 +14,11 @@
 namespace braidzone {
 namespace {
 
-/// A point of the vessel's frame, on a surface whose normal is given, as the scan shows it.
-Vec3 as_scanned(const Imaging& imaging, const Vec3& point, const Vec3& normal)
+/// A point of the vessel's frame where the scan shows it.
+Vec3 as_scanned(const Imaging& imaging, const Vec3& point)
 {
     const double angle = imaging.rotation.norm();
-    Vec3 turned = point + imaging.blooming * normal - imaging.shift - imaging.pivot;
+    Vec3 turned = point - imaging.shift - imaging.pivot;
     if (angle > 0.0) turned = Eigen::AngleAxisd(-angle, imaging.rotation / angle) * turned;
     return turned + imaging.pivot;
 }
@@ -53,8 +52,7 @@ DensityField planned_density(const Simulation& base, const Imaging& imaging,
         for (int j = 0; j < num_around; ++j) {
             const int node = lattice.node(ring, j * lattice.nodes_per_ring / num_around);
             map.places.push_back(
-                {.point = as_scanned(imaging, deployment.nodes[static_cast<std::size_t>(node)],
-                                     Vec3::Zero()),
+                {.point = as_scanned(imaging, deployment.nodes[static_cast<std::size_t>(node)]),
                  .window = plan.density_window});
         }
     }
@@ -105,7 +103,8 @@ Observations planned_observations(const Simulation& base, const Imaging& imaging
                                   const PlannedMeasurement& plan, const PatchOptions& options)
 {
     Observations observations;
-    const TriangleMesh mesh = inner_surface(base.deployment, 0.0);
+    const TriangleMesh& mesh = base.surface.middle();
+    const double outwards = base.surface.half_thickness() + imaging.blooming;
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
         const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(t)];
         const Vec3 middle =
@@ -113,7 +112,7 @@ Observations planned_observations(const Simulation& base, const Imaging& imaging
              mesh.points[static_cast<std::size_t>(c)]) /
             3.0;
         observations.points.push_back(
-            as_scanned(imaging, middle, area_vector(mesh, t).normalized()));
+            as_scanned(imaging, middle + outwards * area_vector(mesh, t).normalized()));
     }
     observations.field = make_discrepancy_field(observations.points, imaging, base, options);
     for (Patch& patch : observations.field.patches) {

@@ -165,12 +165,15 @@ TEST(CaseFile, ReadsTheImagingAndTheWallOffset)
 {
     const test::TemporaryFolder folder;
     const Case job = read_case(
-        case_with(
-            folder,
-            "[measurement]\nblooming = \"0.1 mm\"\nshift = [\"1 mm\", \"0 mm\", \"-2 mm\"]\npivot "
-            "= "
-            "[\"5 mm\", \"0 mm\", \"0 mm\"]\nrotation = [\"0 deg\", \"180 deg\", \"0 deg\"]\n"),
+        case_with(folder,
+                  "[measurement]\nvoxel_size = \"0.2 mm\"\nblur = \"0.4 mm\"\nthreshold = 0.4\n"
+                  "blooming = \"0.1 mm\"\nshift = [\"1 mm\", \"0 mm\", \"-2 mm\"]\n"
+                  "pivot = [\"5 mm\", \"0 mm\", \"0 mm\"]\n"
+                  "rotation = [\"0 deg\", \"180 deg\", \"0 deg\"]\n"),
         {"vessel.wall_offset=-0.05 mm"});
+    EXPECT_DOUBLE_EQ(job.measurement.chain.voxel_size, 0.2e-3);
+    EXPECT_DOUBLE_EQ(job.measurement.chain.blur, 0.4e-3);
+    EXPECT_DOUBLE_EQ(job.measurement.chain.threshold, 0.4);
     EXPECT_DOUBLE_EQ(job.measurement.blooming, 0.1e-3);
     EXPECT_LT((job.measurement.shift - Vec3(1e-3, 0.0, -2e-3)).norm(), 1e-15);
     EXPECT_LT((job.measurement.pivot - Vec3(5e-3, 0.0, 0.0)).norm(), 1e-15);
