@@ -46,9 +46,9 @@ std::string further_text(const FurtherMeasurement& further)
                            fmt::join(pairs, ", "));
     }
     return fmt::format(
-        "None of the measurements that were not made would separate them; most "
-        "would one of {} ({}).",
-        measurement, gain_text(hardest, best));
+        "None of the measurements that could be added would separate them; the best, of {}, would "
+        "bring d' {:.1f} -> {:.1f}.",
+        measurement, hardest.now, hardest.with(best));
 }
 
 Json further_as_json(const FurtherMeasurement& further)

@@ -10,7 +10,7 @@ namespace braidzone {
 
 /// "A measurement of both ends to 0.3 mm would separate them (d' 1.2 -> 5.2).", of the pair that is
 /// hardest to tell apart; with pairs named where it separates some of them only; or that none of
-/// the measurements that were not made would. Empty if there is nothing to separate.
+/// the measurements that could be added would. Empty if there is nothing to separate.
 std::string further_text(const FurtherMeasurement& further);
 
 /// d' of each pair of answers, now and with each channel; `best` is the name of the channel that

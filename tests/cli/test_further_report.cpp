@@ -31,8 +31,8 @@ TEST(FurtherText, SaysWhichMeasurementWouldSeparateWhat)
               "A measurement of both ends to 0.3 mm would separate a from b (d' 0.0 -> 4.0), a "
               "from c (d' 3.0 -> 5.0).");
     EXPECT_EQ(further_text(three_answers(1.0, 0.5)),
-              "None of the measurements that were not made would separate them; most would one of "
-              "both ends to 0.3 mm (d' 1.2 -> 1.3).");
+              "None of the measurements that could be added would separate them; the best, of both "
+              "ends to 0.3 mm, would bring d' 1.2 -> 1.3.");
     EXPECT_EQ(further_text({}), "");
 }
 
