@@ -118,6 +118,14 @@ void add_force_rows(std::vector<ChannelRow>& rows, const Diagnosis& diagnosis)
     rows.push_back(stretch);
 }
 
+/// As measured, or between both ends.
+std::optional<MeasuredValue> measured_length(const MeasuredScalars& scalars)
+{
+    const auto& [distal, proximal, length] = scalars.values;
+    if (length || !distal || !proximal) return length;
+    return MeasuredValue{distal->value - proximal->value, std::hypot(distal->sd, proximal->sd)};
+}
+
 std::vector<ChannelRow> channel_rows(const Diagnosis& diagnosis)
 {
     const DevicePrediction& before = diagnosis.predicted_before;
@@ -126,7 +134,7 @@ std::vector<ChannelRow> channel_rows(const Diagnosis& diagnosis)
     ChannelRow length{
         "implanted_length", "implanted length", "mm", 1e3 * before.implanted_length, {}, {}, {}};
     if (after) length.after = 1e3 * after->implanted_length;
-    if (const auto& measured = diagnosis.observations.scalars.values[2]) {
+    if (const auto measured = measured_length(diagnosis.observations.scalars)) {
         length.measured = 1e3 * measured->value;
         length.sd = 1e3 * measured->sd;
     }

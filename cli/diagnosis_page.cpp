@@ -142,10 +142,13 @@ std::string further(const Json& diagnosis)
         }
     }
     if (rows.empty()) return "";
-    return section("What would separate the answers",
-                   table({"a measurement of", "tells", "from", "d' now", "d' with it"}, rows) +
-                       "<p>d' is how many standard deviations the data of one answer are from what "
-                       "the other can explain; 3 or more can be told apart.</p>\n");
+    return section(
+        "What would separate the answers",
+        table({"a measurement of", "tells", "from", "d' now", "d' with it"}, rows) +
+            "<p>d' is by how many standard deviations two answers are told apart: now by "
+            "their Bayes factor, then by what the one could still explain of the "
+            "other's prediction. A measurement that brings 3 or more by itself "
+            "decides.</p>\n");
 }
 
 std::string clusters(const Json& diagnosis)

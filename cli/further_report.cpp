@@ -1,10 +1,9 @@
 #include "cli/further_report.hpp"
 
-#include "discrepancy/separability.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace braidzone {
@@ -12,52 +11,61 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// True if a channel separates some pair.
-bool separates(const FurtherMeasurement& further, std::size_t channel)
+bool separates_some(const FurtherMeasurement& further, std::size_t channel)
 {
-    for (const SeparatedPair& pair : further.pairs) {
-        if (pair.with[channel] >= least_separation) return true;
-    }
-    return false;
+    return std::any_of(further.pairs.begin(), further.pairs.end(),
+                       [&](const SeparatedPair& pair) { return separates(pair, channel); });
+}
+
+/// "d' 1.2 -> 5.2"
+std::string gain_text(const SeparatedPair& pair, std::size_t channel)
+{
+    return fmt::format("d' {:.1f} -> {:.1f}", pair.now, pair.with(channel));
 }
 
 }  // namespace
 
 std::string further_text(const FurtherMeasurement& further)
 {
-    if (!further.best || !separates(further, *further.best)) return "";
+    if (!further.best) return "";
     const std::size_t best = *further.best;
     const std::string& measurement = further.channels[best].measurement;
-    if (smallest_with(further, best) >= least_separation) {
-        return fmt::format("A measurement of {} would separate them (d' {:.1f} -> {:.1f}).",
-                           measurement, smallest_now(further), smallest_with(further, best));
+    const SeparatedPair& hardest = hardest_pair(further, best);
+    if (separates(hardest, best)) {
+        return fmt::format("A measurement of {} would separate them ({}).", measurement,
+                           gain_text(hardest, best));
     }
     std::vector<std::string> pairs;
     for (const SeparatedPair& pair : further.pairs) {
-        if (pair.with[best] < least_separation) continue;
-        pairs.push_back(fmt::format("{} from {} (d' {:.1f} -> {:.1f})", further.answers[pair.first],
-                                    further.answers[pair.second], pair.now, pair.with[best]));
+        if (!separates(pair, best)) continue;
+        pairs.push_back(fmt::format("{} from {} ({})", further.answers[pair.first],
+                                    further.answers[pair.second], gain_text(pair, best)));
     }
-    return fmt::format("A measurement of {} would separate {}.", measurement,
-                       fmt::join(pairs, ", "));
+    if (!pairs.empty()) {
+        return fmt::format("A measurement of {} would separate {}.", measurement,
+                           fmt::join(pairs, ", "));
+    }
+    return fmt::format(
+        "None of the measurements that could be added would separate them; the best, of {}, would "
+        "bring d' {:.1f} -> {:.1f}.",
+        measurement, hardest.now, hardest.with(best));
 }
 
 Json further_as_json(const FurtherMeasurement& further)
 {
     Json json = {{"best", Json()}, {"channels", Json::array()}};
     if (further.pairs.empty()) return json;
-    if (further.best && separates(further, *further.best))
+    if (further.best && separates_some(further, *further.best))
         json["best"] = further.channels[*further.best].name;
     for (std::size_t i = 0; i < further.channels.size(); ++i) {
         Json channel = {{"name", further.channels[i].name},
-                        {"measurement", further.channels[i].measurement},
-                        {"smallest_now", smallest_now(further)},
-                        {"smallest_with", smallest_with(further, i)}};
+                        {"measurement", further.channels[i].measurement}};
         for (const SeparatedPair& pair : further.pairs) {
             channel["pairs"].push_back({{"first", further.answers[pair.first]},
                                         {"second", further.answers[pair.second]},
                                         {"now", pair.now},
-                                        {"with", pair.with[i]}});
+                                        {"with", pair.with(i)},
+                                        {"is_separated", separates(pair, i)}});
         }
         json["channels"].push_back(channel);
     }
@@ -67,10 +75,11 @@ Json further_as_json(const FurtherMeasurement& further)
 std::string further_table(const FurtherMeasurement& further)
 {
     if (further.pairs.empty() || further.channels.empty()) return "";
-    std::string text = "  d' between the answers, the smallest, with a measurement of\n";
+    std::string text =
+        "  what would separate the answers, of the two that are hardest to tell apart\n";
     for (std::size_t i = 0; i < further.channels.size(); ++i) {
-        text += fmt::format("    {:<60}{:.1f} -> {:.1f}\n", further.channels[i].measurement,
-                            smallest_now(further), smallest_with(further, i));
+        text += fmt::format("    {:<60}{}\n", further.channels[i].measurement,
+                            gain_text(hardest_pair(further, i), i));
     }
     return text;
 }

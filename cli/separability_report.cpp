@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace braidzone {
@@ -50,15 +51,29 @@ struct Gain {
     std::size_t channels = 0;  ///< index of those that d' is `to` with
 };
 
-/// The cheapest channels that separate two, or those with the greatest d'.
-template <typename Separation>
-void add_gain(std::vector<Gain>& gains, const std::vector<ChannelSeparability>& all, Gain gain,
-              const Separation& separation)
+/// The first channels by which all of some effects are seen; none if there are no such channels.
+std::optional<std::size_t> first_seen(const std::vector<ChannelSeparability>& all,
+                                      const std::vector<Eigen::Index>& effects)
 {
-    gain.from = separation(all.front().separability);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (std::all_of(effects.begin(), effects.end(), [&](Eigen::Index effect) {
+                return all[i].separability.detection[effect] >= least_separation;
+            }))
+            return i;
+    }
+    return std::nullopt;
+}
+
+/// From some channels on: the cheapest that separate two, or those with the greatest d'.
+template <typename Separation>
+void add_gain(std::vector<Gain>& gains, const std::vector<ChannelSeparability>& all,
+              std::size_t first, Gain gain, const Separation& separation)
+{
+    gain.channels = first;
+    gain.from = separation(all[first].separability);
     if (!(gain.from < least_separation)) return;
     gain.to = gain.from;
-    for (std::size_t i = 1; i < all.size() && gain.to < least_separation; ++i) {
+    for (std::size_t i = first + 1; i < all.size() && gain.to < least_separation; ++i) {
         const double here = separation(all[i].separability);
         if (!(here > gain.to)) continue;
         gain.to = here;
@@ -70,15 +85,19 @@ void add_gain(std::vector<Gain>& gains, const std::vector<ChannelSeparability>& 
 std::vector<Gain> gains_of(const std::vector<ChannelSeparability>& all)
 {
     const std::vector<std::string>& names = all.front().separability.names;
+    const auto count = static_cast<Eigen::Index>(names.size());
+    const auto name = [&](Eigen::Index i) { return names[static_cast<std::size_t>(i)]; };
     std::vector<Gain> gains;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        add_gain(gains, all, {names[i], "none"},
-                 [&](const Separability& found) { return found.detection[row]; });
-        for (std::size_t j = i + 1; j < names.size(); ++j) {
-            const auto column = static_cast<Eigen::Index>(j);
-            add_gain(gains, all, {names[i], names[j]}, [&](const Separability& found) {
-                return std::min(found.separation(row, column), found.separation(column, row));
+    for (Eigen::Index i = 0; i < count; ++i) {
+        add_gain(gains, all, 0, {name(i), "none"},
+                 [&](const Separability& found) { return found.detection[i]; });
+    }
+    for (Eigen::Index i = 0; i < count; ++i) {
+        for (Eigen::Index j = i + 1; j < count; ++j) {
+            const std::optional<std::size_t> first = first_seen(all, {i, j});
+            if (!first) continue;
+            add_gain(gains, all, *first, {name(i), name(j)}, [&](const Separability& found) {
+                return std::min(found.separation(i, j), found.separation(j, i));
             });
         }
     }
@@ -156,7 +175,8 @@ std::string gains_text(const std::vector<ChannelSeparability>& all)
 {
     const std::vector<Gain> gains = gains_of(all);
     std::string text = fmt::format(
-        "d' of what the {} does not tell apart, with the cheapest measurement that does\n",
+        "d' of what cannot be seen or told apart by the {}, with the cheapest measurement by which "
+        "it can\n",
         all.front().channels);
     for (std::size_t i = 1; i < all.size(); ++i) {
         text += gains_line(gains, all[i].added, [&](const Gain& gain) {

@@ -23,9 +23,10 @@ nlohmann::ordered_json separability_as_json(const ChannelSeparability& channels)
 /// in words what could not be seen or told apart.
 std::string separability_text(const ChannelSeparability& channels);
 
-/// What the first channels do not tell apart (d' < 3, the smaller of both directions; against
-/// "none" for an effect that cannot be seen), with the cheapest channels that do, or those of the
-/// greatest d' if none does.
+/// What cannot be seen by the first channels (d' < 3 against "none"), with the cheapest channels by
+/// which it can; and pairs that cannot be told apart (d' < 3, the smaller of both directions) by
+/// the first channels that show both, with the cheapest by which they can. Where no channels reach
+/// 3, those of the greatest d'.
 /// @param all  cheapest first, at least one
 nlohmann::ordered_json gains_as_json(const std::vector<ChannelSeparability>& all);
 

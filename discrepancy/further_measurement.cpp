@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace braidzone {
@@ -30,14 +31,14 @@ std::optional<Predicted> predicted(const DiagnosisProblem& planned, const Effect
     return Predicted{found->first, answer.x, found->second, parameters_of(answer)};
 }
 
-/// d' of the data of one answer when the other is fitted to them.
+/// d'^2 of the data of one answer when the other is fitted to them.
 double left_by(const Predicted& there, const Predicted& fitted, const Whitening& whitening,
                const std::vector<int>& rows)
 {
     const Eigen::VectorXd apart = (fitted.residuals - there.residuals)(rows);
     const Eigen::MatrixXd slope = fitted.derivatives(rows, Eigen::all);
     return linear_refit(whitening(apart), whitening.of_columns(slope), fitted.x, fitted.parameters)
-        .whitened.norm();
+        .whitened.squaredNorm();
 }
 
 /// Whitening of some rows, for d' of pairs.
@@ -49,12 +50,16 @@ struct RowsWhitening {
         : rows(std::move(chosen)), whitening(planned.covariance(rows, rows))
     {
     }
-
-    double separation(const Predicted& a, const Predicted& b) const
-    {
-        return std::min(left_by(a, b, whitening, rows), left_by(b, a, whitening, rows));
-    }
 };
+
+/// d' that a channel adds when one answer is fitted to the data of another.
+double added_by(const RowsWhitening& at_hand, const RowsWhitening& with, const Predicted& there,
+                const Predicted& fitted)
+{
+    const double square = left_by(there, fitted, with.whitening, with.rows) -
+                          left_by(there, fitted, at_hand.whitening, at_hand.rows);
+    return std::sqrt(std::max(0.0, square));
+}
 
 std::vector<int> joined(const std::vector<int>& a, const std::vector<int>& b)
 {
@@ -65,9 +70,9 @@ std::vector<int> joined(const std::vector<int>& a, const std::vector<int>& b)
 
 std::size_t num_separated(const FurtherMeasurement& further, std::size_t channel)
 {
-    return static_cast<std::size_t>(std::count_if(
-        further.pairs.begin(), further.pairs.end(),
-        [&](const SeparatedPair& pair) { return pair.with[channel] >= least_separation; }));
+    return static_cast<std::size_t>(
+        std::count_if(further.pairs.begin(), further.pairs.end(),
+                      [&](const SeparatedPair& pair) { return separates(pair, channel); }));
 }
 
 std::optional<std::size_t> best_channel(const FurtherMeasurement& further)
@@ -77,7 +82,8 @@ std::optional<std::size_t> best_channel(const FurtherMeasurement& further)
     for (std::size_t i = 1; i < further.channels.size(); ++i) {
         const std::size_t here = num_separated(further, i), most = num_separated(further, best);
         const bool is_nearer =
-            here == 0 && most == 0 && smallest_with(further, i) > smallest_with(further, best);
+            here == 0 && most == 0 &&
+            hardest_pair(further, i).added[i] > hardest_pair(further, best).added[best];
         if (here > most || is_nearer) best = i;
     }
     return best;
@@ -85,21 +91,22 @@ std::optional<std::size_t> best_channel(const FurtherMeasurement& further)
 
 }  // namespace
 
-double smallest_now(const FurtherMeasurement& further)
+double SeparatedPair::with(std::size_t channel) const
 {
-    return std::min_element(
-               further.pairs.begin(), further.pairs.end(),
-               [](const SeparatedPair& a, const SeparatedPair& b) { return a.now < b.now; })
-        ->now;
+    return std::hypot(now, added[channel]);
 }
 
-double smallest_with(const FurtherMeasurement& further, std::size_t channel)
+bool separates(const SeparatedPair& pair, std::size_t channel)
 {
-    return std::min_element(further.pairs.begin(), further.pairs.end(),
-                            [&](const SeparatedPair& a, const SeparatedPair& b) {
-                                return a.with[channel] < b.with[channel];
-                            })
-        ->with[channel];
+    return pair.added[channel] >= least_separation;
+}
+
+const SeparatedPair& hardest_pair(const FurtherMeasurement& further, std::size_t channel)
+{
+    return *std::min_element(further.pairs.begin(), further.pairs.end(),
+                             [&](const SeparatedPair& a, const SeparatedPair& b) {
+                                 return a.added[channel] < b.added[channel];
+                             });
 }
 
 FurtherMeasurement further_measurement(const DiagnosisProblem& planned,
@@ -120,9 +127,12 @@ FurtherMeasurement further_measurement(const DiagnosisProblem& planned,
     for (std::size_t i = 0; i < all.size(); ++i) {
         for (std::size_t j = i + 1; j < all.size(); ++j) {
             if (!all[i] || !all[j]) continue;
-            SeparatedPair pair{i, j, at_hand.separation(*all[i], *all[j]), {}};
-            for (const RowsWhitening& channel : with)
-                pair.with.push_back(channel.separation(*all[i], *all[j]));
+            const double evidence = answers[i].log_evidence - answers[j].log_evidence;
+            SeparatedPair pair{i, j, std::sqrt(2.0 * std::abs(evidence)), {}};
+            for (const RowsWhitening& channel : with) {
+                pair.added.push_back(std::min(added_by(at_hand, channel, *all[i], *all[j]),
+                                              added_by(at_hand, channel, *all[j], *all[i])));
+            }
             further.pairs.push_back(std::move(pair));
         }
     }

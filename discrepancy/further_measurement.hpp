@@ -18,8 +18,12 @@ struct FurtherChannel {
 /// Two answers of an ambiguous set, and how well they can be told apart.
 struct SeparatedPair {
     std::size_t first = 0, second = 0;  ///< indices of the answers
-    double now = 0.0;                   ///< d' by the data at hand
-    std::vector<double> with;           ///< d' with each further channel besides
+    /// What the data at hand tell: d' of their evidences, sqrt(2 |ln B_i - ln B_j|).
+    double now = 0.0;
+    std::vector<double> added;  ///< d' of each further channel, given the data at hand
+
+    /// d' of the data at hand and a channel together: sqrt(now^2 + added^2).
+    double with(std::size_t channel) const;
 };
 
 /// Which further measurement would tell the answers of an ambiguous set apart.
@@ -27,29 +31,34 @@ struct FurtherMeasurement {
     std::vector<std::string> answers;      ///< their names
     std::vector<FurtherChannel> channels;  ///< cheapest first
     std::vector<SeparatedPair> pairs;
-    /// The channel that separates most pairs (`least_separation`), of equals the cheapest; if none
+    /// The channel that separates most pairs (`separates`), of equals the cheapest; if none
     /// separates any, that with the greatest of the pairs' smallest d'. None without pairs or
     /// channels.
     std::optional<std::size_t> best;
 };
 
-/// The smallest d' of all pairs, now and with a channel.
-double smallest_now(const FurtherMeasurement& further);
-double smallest_with(const FurtherMeasurement& further, std::size_t channel);
+/// True if a channel by itself brings d' = 3 (`least_separation`): what the data at hand say of
+/// the pair did not decide, and may be what misleads.
+bool separates(const SeparatedPair& pair, std::size_t channel);
 
-/// Tells for each pair of answers, and each channel that was not measured, how far apart the data
-/// at hand and that channel would be: the noise-free data of one answer at its best fit, to which
-/// the other is fitted anew, linear in its parameters about its own best fit (`linear_refit`),
+/// The pair that a channel leaves nearest together. @pre there are pairs
+const SeparatedPair& hardest_pair(const FurtherMeasurement& further, std::size_t channel);
+
+/// Tells for each pair of answers, and each channel that was not measured, how far apart it would
+/// bring them: by the noise-free data of one answer at its best fit, to which the other is fitted
+/// anew, linear in its parameters about its own best fit (`linear_refit`),
 ///
-///     d'(i, j) = min over the parameters of j of sqrt(|L^-1 (m_i - m_j)|^2),   L L' = C
+///     d'^2(i, j) = min over the parameters of j of |L^-1 (m_i - m_j)|^2,   L L' = C
+///     added^2    = d'^2 of the data at hand and the channel - d'^2 of the data at hand
 ///
-/// as in `separability.hpp`, and of (i, j) and (j, i) the smaller. With P_j the posterior of j's
-/// parameters by the data at hand and D their derivatives of the channel's prediction m, that is
+/// as in `separability.hpp`, and of (i, j) and (j, i) the smaller. Where the channel's errors are
+/// independent of the others that is
 ///
-///     d'^2 = d'^2 now + (m_i - m_j)' (C_channel + D P_j D')^-1 (m_i - m_j)
+///     added^2 = (m_i - m_j)' (C_channel + D P_j D')^-1 (m_i - m_j)
 ///
-/// where the channel's errors are independent of the others. It takes one simulation more than
-/// there are parameters for each answer.
+/// with P_j the posterior of j's parameters by the data at hand and D the derivatives of its
+/// prediction m of the channel: what a vague answer could still explain does not count. It takes
+/// one simulation more than there are parameters for each answer.
 /// @param planned   residuals of the data at hand and of all further channels; the values that the
 ///                  latter are thought to have measured do not matter
 /// @param measured  rows of the data at hand, increasing

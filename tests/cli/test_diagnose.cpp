@@ -13,6 +13,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -103,6 +104,78 @@ TEST(DiagnoseVerb, NamesTheHiddenPushAndWritesACaseWithIt)
     EXPECT_THAT(first_lines(output / "case_with_local_push.toml", 9),
                 testing::AllOf(HasSubstr("found by braidzone diagnose"),
                                HasSubstr("deployment.push_pull.0.spacing: absent -> 0.")));
+}
+
+// Places on some of the measured points, with a density that says little: what is simulated there
+// is reported before and after, as are length and force.
+TEST(DiagnoseVerb, TakesADensityMapAndAForce)
+{
+    const test::TemporaryFolder folder;
+    std::ifstream points(hidden_push / "measured.csv");
+    std::string map = "x_mm,y_mm,z_mm,pore_density_per_mm2,sd_per_mm2\n", line;
+    std::getline(points, line);
+    for (int i = 0; std::getline(points, line); ++i)
+        map += i % 60 == 0 ? line + ",25,15\n" : "";
+    const fs::path density = folder.write("density.csv", map);
+    std::ifstream ends(hidden_push / "measured.toml");
+    const fs::path scalars = folder.write(
+        "measured.toml", std::string(std::istreambuf_iterator<char>(ends), {}) +
+                             "contact_force = \"1.1 N\"\ncontact_force_sd = \"0.4 N\"\n");
+    const fs::path output = folder.path() / "out";
+    const Ended ended = run({(hidden_push / "case.toml").string(), "--measured",
+                             (hidden_push / "measured.csv").string(), "--scalars", scalars.string(),
+                             "--density-map", density.string(), "--output", output.string()},
+                            folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr("density increase at the neck [%]"));
+    const auto result = json_in(output / "diagnosis.json");
+    EXPECT_EQ(result["answer"]["effects"], nlohmann::json::parse(R"([["local_push"]])"));
+    std::map<std::string, nlohmann::json> channels;
+    for (const auto& channel : result["channels"])
+        channels[channel["name"]] = channel;
+    const auto& length = channels.at("implanted_length");
+    EXPECT_NEAR(length["measured"].get<double>(), 25.52 - 11.32, 1e-9);  // between the ends
+    EXPECT_NEAR(length["after"].get<double>(), 14.2, 3.0 * length["sd"].get<double>());
+    EXPECT_GT(length["before"].get<double>(), 16.0);
+    EXPECT_EQ(channels.at("contact_force")["measured"], 1.1);
+    EXPECT_EQ(channels.at("density_map_mean")["measured"], 25.0);
+    EXPECT_GT(channels.at("density_map_mean")["after"].get<double>(),
+              1.2 * channels.at("density_map_mean")["before"].get<double>());
+    EXPECT_GT(channels.at("mean_density_increase_neck")["after"].get<double>(), 60.0);
+    EXPECT_GT(result["density_map"]["places"].size(), 20u);
+    EXPECT_EQ(result["density_map"]["unit"], "1/mm^2");
+    EXPECT_THAT(
+        first_lines(output / "report.html", 100000),
+        testing::AllOf(HasSubstr("Length, density and force"), HasSubstr("pore density at the ")));
+    EXPECT_TRUE(result["inputs"].contains("density_map"));
+}
+
+TEST(DiagnoseVerb, RefusesADensityMapThatItCannotUse)
+{
+    const test::TemporaryFolder folder;
+    const std::string measured = (hidden_push / "measured.csv").string();
+    const std::string good = (hidden_push / "case.toml").string();
+    const std::string header = "x_mm,y_mm,z_mm,metal_coverage,sd\n";
+    const auto density = [&](const std::string& lines) {
+        return folder.write("density.csv", header + lines).string();
+    };
+    const auto refused = [&](const std::vector<std::string>& more, int status) {
+        std::vector<std::string> arguments = {good};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Ended ended = run(arguments, folder.path());
+        EXPECT_EQ(ended.status, status) << ended.err;
+        return ended.err;
+    };
+    EXPECT_THAT(refused({"--measured", measured, "--density-map", density("1,2,3,0.3,-0.1\n")}, 3),
+                HasSubstr("density.csv:2: sd = -0.1; a standard deviation must be positive"));
+    EXPECT_THAT(refused({"--measured", measured, "--density-map", density("900,2,3,0.3,0.1\n")}, 3),
+                HasSubstr("density map"));
+    EXPECT_THAT(refused({"--calibrate", "--measured", measured, "--density-map",
+                         density("1,2,3,0.3,0.1\n")},
+                        2),
+                HasSubstr("--density-map has no part in --calibrate"));
+    EXPECT_THAT(refused({"--separability", "--density-map", density("1,2,3,0.3,0.1\n")}, 2),
+                HasSubstr("leave --measured, --scalars and --density-map out"));
 }
 
 TEST(DiagnoseVerb, RefusesWhatItCannotUse)

@@ -48,4 +48,27 @@ TEST(SeparabilityJson, HasNullForWhatCouldNotBeSimulated)
     EXPECT_TRUE(json["separation"][1][3].is_null());
 }
 
+// c is seen by the ends, as is a; that a can be taken for b is cured by the force alone, and c is
+// told from the others once it is seen. Nothing shows d.
+TEST(SeparabilityGains, NameTheCheapestMeasurement)
+{
+    ChannelSeparability ends = four_effects(), force = ends;
+    ends.channels = "surface and end markers";
+    ends.added = "both ends to 0.3 mm";
+    ends.separability.detection[2] = 5.0;
+    ends.separability.separation.row(2).head(2).setConstant(4.5);
+    force.channels = "surface, end markers and contact force";
+    force.added = "the force on the wall to 15 %";
+    force.separability = ends.separability;
+    force.separability.separation(0, 1) = 3.25;
+    const std::vector<ChannelSeparability> all = {four_effects(), ends, force};
+    const std::string text = gains_text(all);
+    EXPECT_THAT(text, HasSubstr("both ends to 0.3 mm: c / none (1.0 -> 5.0)\n"));
+    EXPECT_THAT(text, HasSubstr("the force on the wall to 15 %: a / b (2.5 -> 3.2)\n"));
+    const auto json = gains_as_json(all);
+    ASSERT_EQ(json.size(), 2u);
+    EXPECT_EQ(json[1]["channels"], "surface, end markers and contact force");
+    EXPECT_EQ(json[1]["is_separated"], true);
+}
+
 }  // namespace braidzone

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "discrepancy/blind/case_folder.hpp"
 #include "discrepancy/diagnosis.hpp"
+#include "support/hidden/hidden_density.hpp"
 #include "support/hidden/spacing_stretch.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace braidzone {
 namespace {
@@ -88,6 +90,58 @@ TEST(Diagnose, NamesAndPlacesAHiddenPush)
     EXPECT_LT(found.in_zone.after.rms, found.in_zone.before.rms);
     ASSERT_TRUE(found.after.has_value());
     EXPECT_EQ(found.after->schedule.windows.size(), 1u);
+}
+
+// Neither ends nor length: pores counted to 15 %, and the force on the wall to 10 %.
+TEST(Diagnose, FindsAPushByTheDensityOfItsWires)
+{
+    constexpr double everywhere = std::numeric_limits<double>::infinity();
+    std::mt19937 random(4);
+    const hidden::HiddenCase made = hidden::made_case(push_story(-0.6), {}, {}, random);
+    const DensityMap density = hidden::counted_pores(made.device, made.true_device, {}, random);
+    const double force = hidden::wall_force(made.device, -everywhere, everywhere);
+    MeasuredScalars scalars;
+    scalars.contact_force = {.force = {force, 0.1 * force}};
+    DiagnoseOptions options;
+    options.explain.search.most_effects = 1;
+    const Diagnosis found =
+        diagnose(blind::believed_model(belief()), sidewall(), made.scan.points, scalars,
+                 catalogue_of({"local_push", "nominal_diameter", "vessel_offset", "braid_ratio"}),
+                 options, density);
+    ASSERT_EQ(found.explanation.verdict.finding, Finding::named);
+    EXPECT_THAT(found.explanation.verdict.answers.front().effects, ElementsAre("local_push"));
+    const double length = made.device.arc_length.front() - made.device.arc_length.back();
+    ASSERT_TRUE(found.predicted_after.has_value());
+    EXPECT_GT(found.predicted_before.implanted_length, length + 1e-3);
+    EXPECT_NEAR(found.predicted_after->implanted_length, length, 0.6e-3);
+    EXPECT_GT(*found.predicted_after->mean_density_increase_neck,
+              *found.predicted_before.mean_density_increase_neck + 0.3);
+    // Residuals of the densities are down to their noise.
+    const ResidualRows rows = residual_rows(found.observations);
+    const auto misfit = [&](const Eigen::VectorXd& residuals) {
+        return residuals.segment(rows.density, rows.num_density)
+                   .cwiseQuotient(
+                       found.error.white.segment(rows.density, rows.num_density).cwiseSqrt())
+                   .squaredNorm() /
+               static_cast<double>(rows.num_density);
+    };
+    EXPECT_GT(misfit(found.explanation.base_residuals), 3.0);
+    EXPECT_LT(misfit(found.explanation.residuals_after()), 1.6);
+}
+
+TEST(Diagnose, RefusesAForceWhereNoDeviceLies)
+{
+    const hidden::ScannedDevice scan = scan_of(hidden::story_of(belief()), 2);
+    MeasuredScalars scalars;
+    scalars.contact_force = {.force = {0.1, 0.02}, .from = 1e-3, .to = 3e-3};
+    try {
+        diagnose(blind::believed_model(belief()), sidewall(), scan.points, scalars, {});
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(),
+                    testing::HasSubstr("the measured contact force acts from 1 to 3 mm along the "
+                                       "centerline, the simulated device lies from"));
+    }
 }
 
 TEST(Diagnose, FindsNothingWhereNothingIsHidden)

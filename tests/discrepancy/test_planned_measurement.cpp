@@ -57,7 +57,36 @@ TEST(PlannedObservations, HaveThePlannedNoise)
     EXPECT_EQ(planned.field.patches[static_cast<std::size_t>(middle)].points.size(), 10u);
     EXPECT_NEAR(error.white[middle], 1.57 * 0.05e-3 * 0.05e-3 / 10.0, 1e-13);
     EXPECT_DOUBLE_EQ(error.white[error.num_patches], 0.2e-3 * 0.2e-3);
-    EXPECT_EQ(num_residuals(planned), error.num_patches + 2);
+    EXPECT_EQ(residual_rows(planned).num_lengths, 2);
+    const ResidualRows rows = residual_rows(planned);
+    const DensityField& density = planned.density;
+    // 8 mm and 2 pi 2 mm in squares of 1.5 mm
+    EXPECT_EQ(rows.num_density, 5 * 8);
+    EXPECT_NEAR(density.places[0].sd / density.scale[0], 0.15, 1e-12);
+    const auto& force = planned.scalars.contact_force;
+    ASSERT_TRUE(force.has_value());
+    EXPECT_NEAR(force->force.sd / force->force.value, 0.15, 1e-12);
+}
+
+TEST(PlannedRows, AreThoseThatWereNotMeasured)
+{
+    Observations measured = planned_observations(simulation(), {});
+    measured.scalars.values = {MeasuredValue{13e-3, 0.1e-3}, std::nullopt, std::nullopt};
+    measured.scalars.contact_force.reset();
+    const Observations planned = with_further_channels(measured, simulation(), {});
+    EXPECT_EQ(planned.scalars.values[0]->sd, 0.1e-3);
+    EXPECT_EQ(planned.scalars.values[2]->sd, 0.5e-3);
+    const PlannedRows rows = planned_rows(measured, planned);
+    const auto num_patches = static_cast<std::size_t>(residual_rows(planned).num_patches);
+    // patches, the distal end and the density were measured
+    EXPECT_EQ(rows.measured.size(), num_patches + 1 + planned.density.places.size());
+    ASSERT_EQ(rows.channels.size(), 3u);
+    EXPECT_EQ(rows.channels[0].name, "end_markers");
+    EXPECT_EQ(rows.channels[0].measurement, "the proximal end to 0.3 mm");
+    EXPECT_EQ(rows.channels[0].rows, std::vector<int>{static_cast<int>(num_patches) + 1});
+    EXPECT_EQ(rows.channels[1].name, "implanted_length");
+    EXPECT_EQ(rows.channels[2].name, "contact_force");
+    EXPECT_EQ(rows.channels[2].rows.front(), static_cast<int>(num_residuals(planned)) - 1);
 }
 
 }  // namespace braidzone
