@@ -66,6 +66,7 @@ std::string ambiguous_text(const Explanation& explanation)
     std::vector<std::string> names;
     for (const Answer& answer : explanation.verdict.answers)
         names.push_back(answer_name(answer));
+    if (explanation.verdict.unknown_lead) names.emplace_back("something unknown");
     return fmt::format("One of these, which the data do not tell apart: {}. What would: {}.",
                        fmt::join(names, ", "),
                        explanation.fits[*explanation.best].effects.front().separated_by);
@@ -184,6 +185,7 @@ Json explanation_as_json(const Explanation& explanation, const HeldOutGap& held_
                    {"effects", answers_as_json(verdict)},
                    {"is_confirmed", explanation.best ? Json(held_out.confirms()) : Json()},
                    {"has_unexplained_rest", verdict.has_unexplained_rest},
+                   {"may_be_unknown", verdict.unknown_lead.has_value()},
                    {"text", explanation_answer(explanation, held_out, floor)}}}};
     json["log_bayes_factor_unknown"] = explanation.log_evidence_unknown;
     json["log_bayes_factor_scalars"] = explanation.log_evidence_scalars;

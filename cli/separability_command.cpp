@@ -1,3 +1,4 @@
+#include "cli/case_hash.hpp"
 #include "cli/commands.hpp"
 #include "cli/diagnosed_case.hpp"
 #include "cli/effect_case.hpp"
@@ -5,6 +6,7 @@
 #include "cli/progress.hpp"
 #include "cli/separability_report.hpp"
 #include "cli/summary.hpp"
+#include "cli/unfinished_work.hpp"
 #include "core/error.hpp"
 #include "discrepancy/diagnosis.hpp"
 #include "discrepancy/planned_measurement.hpp"
@@ -33,14 +35,16 @@ void tell_separability(const std::filesystem::path& case_file, const DiagnoseCom
     Progress progress(options.quiet);
     progress.begin("vessel", "reading the vessel");
     const Lumen lumen = lumen_of(job);
-    progress.begin("separability", "trying each effect on each other one");
+    ResidualMemory memory = unfinished_simulations(std::filesystem::absolute(output.path()),
+                                                   {case_hash(job), "separability"});
+    progress.begin("separability", doing_with("trying each effect on each other one", memory));
     const Model model = model_of(job, lumen.centerline);
     const Simulation base = simulate(model, lumen);
     const Observations planned = planned_observations(base, model.imaging);
     const EffectSetting setting = effect_setting(model, base, planned.points);
     const ErrorModel error = make_error_model(planned, floor);
-    const DiagnosisProblem problem =
-        surface_problem({lumen, setting, base, planned, error, floor}, effect_catalogue());
+    const DiagnosisProblem problem = memory.around(
+        surface_problem({lumen, setting, base, planned, error, floor}, effect_catalogue()));
     std::vector<int> rows(static_cast<std::size_t>(error.num_patches));
     std::iota(rows.begin(), rows.end(), 0);
     std::vector<ChannelSeparability> all = {{"surface", separability(problem, rows)}};
@@ -53,6 +57,7 @@ void tell_separability(const std::filesystem::path& case_file, const DiagnoseCom
     for (const ChannelSeparability& channels : all)
         json["separability"].push_back(separability_as_json(channels));
     output.write(json.dump(1) + "\n");
+    memory.forget();
     if (options.quiet) return;
     for (const ChannelSeparability& channels : all)
         fmt::print("{}\n", separability_text(channels));

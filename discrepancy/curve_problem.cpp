@@ -40,6 +40,7 @@ ExplainOptions curve_options()
 {
     ExplainOptions options;
     options.search.most_effects = 2;
+    options.verdict.offers_unknown = true;
     return options;
 }
 

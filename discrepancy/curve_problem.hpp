@@ -16,6 +16,9 @@ struct CurveEffect {
     Candidate candidate;
     /// The model with the effect.
     std::function<Model(const Model&, const std::vector<double>&)> apply;
+    /// Standard deviation by which it moves each ordinate at random, over the simulated value of
+    /// the case as it is; empty for none (`Candidate::roughness`).
+    std::function<double(const std::vector<double>&)> roughness = {};
 };
 
 /// A curve measured on a bench.
@@ -62,8 +65,14 @@ DiagnosisProblem make_curve_problem(const MeasuredCurve& measured, const CurveNo
     const CurveWeights weights = make_curve_weights(measured.abscissae, bench.simulate(bench.base),
                                                     measured.standard_error, noise);
     DiagnosisProblem problem = curve_problem_of(weights);
-    for (const CurveEffect<Model>& effect : bench.effects)
+    for (const CurveEffect<Model>& effect : bench.effects) {
         problem.candidates.push_back(effect.candidate);
+        if (!effect.roughness) continue;
+        problem.candidates.back().roughness =
+            [weights, rough = effect.roughness](const std::vector<double>& values) {
+                return Eigen::VectorXd(rough(values) * weights.relative);
+            };
+    }
     problem.residuals = [measured, weights, bench](const std::vector<ActiveEffect>& active) {
         return relative_residuals(measured, bench.simulate(with_effects(bench, active)), weights);
     };
@@ -71,7 +80,8 @@ DiagnosisProblem make_curve_problem(const MeasuredCurve& measured, const CurveNo
 }
 
 /// How curves are searched: for two effects together at the most, which is what a smooth curve of a
-/// few shapes can tell.
+/// few shapes can tell. Where an unknown effect explains a curve about as well as a known one, the
+/// answer is a set with both: a dozen points seldom exclude either.
 ExplainOptions curve_options();
 
 /// Blocks of neighbouring points for `held_out_gap`: four, or as many as there are points.

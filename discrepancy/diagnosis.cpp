@@ -143,10 +143,11 @@ Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> poin
                         .observations = {std::move(points), std::move(field), scalars}};
     diagnosis.openings = find_openings(diagnosis.base.deployment, lumen.wall);
     diagnosis.error = make_error_model(diagnosis.observations, options.floor);
-    const DiagnosisProblem problem =
+    DiagnosisProblem problem =
         surface_problem({lumen, diagnosis.setting, diagnosis.base, diagnosis.observations,
                          diagnosis.error, options.floor},
                         catalogue);
+    if (options.memory != nullptr) problem = options.memory->around(std::move(problem));
     diagnosis.map = make_discrepancy_map(diagnosis.observations.field, diagnosis.error,
                                          problem.residuals({}).head(diagnosis.error.num_patches),
                                          options.clusters);

@@ -22,6 +22,10 @@ struct Candidate {
     /// False where the simulation need not run again, as for how the device was seen.
     bool needs_simulation = true;
     std::string separated_by = {};  ///< a measurement that would tell it from others
+    /// Standard deviations by which the effect moves each residual of the field at random, as
+    /// sticking and slipping does, given its values; empty if its residuals are smooth. Only for
+    /// candidates with one parameter (`effect_roughness.hpp`).
+    std::function<Eigen::VectorXd(const std::vector<double>& values)> roughness = {};
 };
 
 /// A candidate that is in the model.

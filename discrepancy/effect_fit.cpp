@@ -1,5 +1,6 @@
 #include "discrepancy/effect_fit.hpp"
 
+#include "discrepancy/effect_roughness.hpp"
 #include "discrepancy/laplace_evidence.hpp"
 
 #include <Eigen/Dense>
@@ -257,6 +258,7 @@ std::vector<EffectParameter> parameters_of(const EffectFit& fit)
 EffectFit fit_effect(const DiagnosisProblem& problem, const Whitening& whitening,
                      const Eigen::VectorXd& base, std::size_t candidate, const FitOptions& options)
 {
+    if (problem.candidates[candidate].roughness) return fit_rough_effect(problem, base, candidate);
     const FitData data{whitening, base};
     EffectResiduals residuals(problem, {candidate});
     std::vector<Eigen::VectorXd> ends;

@@ -71,6 +71,8 @@ struct FitOptions {
 ///     ln B = 1/2 (|z_0|^2 - |z|^2 - |x|^2) - 1/2 ln det(I + S' S) + 1/2 ln(2 pi / 12) per uniform
 ///
 /// The last term is that of a parameter that may be anywhere: about zero if the data say nothing.
+///
+/// A candidate with roughness is fitted as `fit_rough_effect` says.
 /// @param base  residuals of the case as it is
 EffectFit fit_effect(const DiagnosisProblem& problem, const Whitening& whitening,
                      const Eigen::VectorXd& base, std::size_t candidate,

@@ -1,8 +1,11 @@
 #include "discrepancy/implementation_error.hpp"
 
+#include "discrepancy/effect_roughness.hpp"
+
 namespace braidzone {
 
 Eigen::MatrixXd with_implementation_error(const DiagnosisProblem& problem,
+                                          const std::vector<ActiveEffect>& effects,
                                           const Eigen::VectorXd& change, double ratio)
 {
     const Eigen::Index n = problem.distances.rows();
@@ -11,6 +14,7 @@ Eigen::MatrixXd with_implementation_error(const DiagnosisProblem& problem,
     covariance.topLeftCorner(n, n) +=
         (size * size.transpose())
             .cwiseProduct((-problem.distances.array() / problem.correlation_length).exp().matrix());
+    covariance.diagonal() += roughness_variance(problem, effects);
     return covariance;
 }
 

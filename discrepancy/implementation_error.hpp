@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace braidzone {
 
 /// Covariance that allows for a wrong shape of an effect that is in the model:
@@ -12,9 +14,12 @@ namespace braidzone {
 ///
 /// with m what the effect changes. Without it the imperfect shape of one effect is taken for a
 /// second one (in a prototype 9 to 18 % of single effects; 4 to 9 % with rho = 0.2).
+/// What the effects do at random (`roughness_variance`) is added to C.
+/// @param effects  that are in the model
 /// @param change  of the residuals, by the effects
 /// @param ratio   rho; >= 0
 Eigen::MatrixXd with_implementation_error(const DiagnosisProblem& problem,
+                                          const std::vector<ActiveEffect>& effects,
                                           const Eigen::VectorXd& change, double ratio);
 
 }  // namespace braidzone

@@ -133,8 +133,12 @@ TEST(DiagnosePressureDrop, RefusesWhatItCannotUse)
                                               "--pressure-drop; 0 are given"));
     EXPECT_THAT(refused({good, "--pressure-drop", drop, "--force-curve", drop}, 2),
                 HasSubstr("2 are given"));
-    EXPECT_THAT(refused({good, "--pressure-drop", drop, "--calibrate"}, 2),
-                HasSubstr("--calibrate has no part in the diagnosis of a pressure drop"));
+    EXPECT_THAT(refused({good, "--pressure-drop", drop, "--scalars", drop}, 2),
+                HasSubstr("--scalars has no part in the diagnosis of a pressure drop"));
+    EXPECT_THAT(refused({good, "--pressure-drop", drop, "--pressure-drop", drop}, 2),
+                HasSubstr("diagnose takes one pressure drop, 2 are given"));
+    EXPECT_THAT(refused({good, "--pressure-drop", drop, "--calibrate"}, 3),
+                HasSubstr("at least 3 curves without an effect; 1 given"));
     refused({good, "--pressure-drop", "nowhere.csv"}, 5);
     const std::string few =
         folder

@@ -88,6 +88,17 @@ TEST(PressResponse, IsProportionalToACommonFactor)
         EXPECT_NEAR(ratio, std::pow(1.1, 4), 1e-12);
 }
 
+TEST(PressResponse, OfTheCaseAloneIsTheSame)
+{
+    PressResponseOptions options;
+    options.with_changes = false;
+    const PressResponse alone = make_press_response(light_model(), stroke, options);
+    EXPECT_EQ(press_forces(alone, light_model(), displacements),
+              press_forces(response(), light_model(), displacements));
+    EXPECT_EQ(alone.slip, 0.0);
+    EXPECT_GT(response().slip, 0.05);
+}
+
 TEST(PressResponse, ReadsAsTheBenchDoes)
 {
     PressModel model = light_model();
@@ -156,6 +167,14 @@ TEST(ForceDiagnosis, FindsThickerWires)
         if (name_of(fit) != "wire_diameter") continue;
         EXPECT_NEAR(fit.effects.front().values.front(), 0.07, 0.01);
     }
+}
+
+// The device rubs: a press test of its own with friction, which sticks and slips.
+TEST(ForceDiagnosis, FindsFriction)
+{
+    PressModel model = light_model();
+    model.options.friction = 0.3;
+    EXPECT_THAT(answers(diagnosed(measured(model))), testing::Contains("friction"));
 }
 
 // The head was set to zero 0.2 mm above the device.
