@@ -56,6 +56,11 @@ Eigen::VectorXd relative_residuals(const MeasuredCurve& measured,
                                    const std::vector<double>& simulated,
                                    const CurveWeights& weights);
 
+/// Covariance of relative residuals if a model that leaves some is the truth: its own curve takes
+/// the place of that of the case as it is, in the same units.
+Eigen::MatrixXd covariance_at_fit(const MeasuredCurve& measured, const CurveNoise& noise,
+                                  const CurveWeights& weights, const Eigen::VectorXd& residuals);
+
 /// A measured curve against its simulation, for `explain`.
 /// @throws what `bench.simulate` throws for the case as it is
 template <typename Model>
@@ -73,6 +78,9 @@ DiagnosisProblem make_curve_problem(const MeasuredCurve& measured, const CurveNo
                 return Eigen::VectorXd(rough(values) * weights.relative);
             };
     }
+    problem.covariance_at = [measured, noise, weights](const Eigen::VectorXd& residuals) {
+        return covariance_at_fit(measured, noise, weights, residuals);
+    };
     problem.residuals = [measured, weights, bench](const std::vector<ActiveEffect>& active) {
         return relative_residuals(measured, bench.simulate(with_effects(bench, active)), weights);
     };

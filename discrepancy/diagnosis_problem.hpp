@@ -48,6 +48,9 @@ struct DiagnosisProblem {
     std::function<Eigen::VectorXd(const std::vector<ActiveEffect>&)> residuals;
     /// Of the residuals where no effect is missing: noise, imperfections, nuisances marginalised.
     Eigen::MatrixXd covariance;
+    /// The same if a model that leaves these residuals is the truth, for intervals: of errors that
+    /// grow with what is simulated. Empty where they do not.
+    std::function<Eigen::MatrixXd(const Eigen::VectorXd& residuals)> covariance_at = {};
     /// The part of the covariance that is nobody's model error, such as the scan's registration: it
     /// is taken out of a gap. Empty for none.
     Eigen::MatrixXd nuisance;

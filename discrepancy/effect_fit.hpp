@@ -17,7 +17,7 @@ struct FittedEffect {
     std::string name, title, separated_by;  ///< of the candidate
     std::vector<EffectParameter> parameters;
     std::vector<double> values;  ///< [SI]
-    std::vector<double> sd;      ///< from the curvature at the best fit [SI]
+    std::vector<double> sd;      ///< from the curvature and the errors at the best fit [SI]
 };
 
 /// Where a fit ended.

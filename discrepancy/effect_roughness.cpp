@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace braidzone {
@@ -104,7 +105,10 @@ EffectFit fit_rough_effect(const DiagnosisProblem& problem, const Eigen::VectorX
         {candidate, known.name, known.title, known.separated_by, known.parameters, {0.0}, {0.0}}};
     fit.num_runs = residuals.num_runs();
     fit.failure = residuals.failure();
-    if (!fit.failure.empty()) return fit;
+    if (!fit.failure.empty()) {
+        fit.log_evidence = -std::numeric_limits<double>::infinity();
+        return fit;
+    }
     fit.x = Eigen::VectorXd::Constant(1, posterior.mean());
     const auto found = residuals.with_derivatives(fit.x);
     std::tie(fit.residuals, fit.derivatives) = *found;

@@ -110,8 +110,8 @@ TEST(CurveNoiseFile, IsReadBackAsItWasWritten)
 TEST(CurveNoiseFile, RefusesWhatIsNone)
 {
     const std::string text = curve_noise_text(force_noise(), units);
-    EXPECT_THAT(refusal(text, "scale_sd", "scale"),
-                HasSubstr("\"scale\" is not known; did you mean \"scale_sd\"?"));
+    EXPECT_THAT(refusal(text, "scale_sd", "scal_sd"),
+                HasSubstr("\"scal_sd\" is not known; did you mean \"scale_sd\"?"));
     EXPECT_THAT(refusal(text, "\"scale_sd\": 0.02", "\"scale_sd\": -1"),
                 HasSubstr("scale_sd = -1; allowed are numbers from 0"));
     EXPECT_THAT(refusal(text, "\"scale_sd\": 0.02,", ""), HasSubstr("scale_sd is missing"));

@@ -82,8 +82,8 @@ void run_force(unsigned first_seed)
     fmt::print("\n{} cases of press tests without a state of rest are left out\n", failed);
 }
 
-/// The measurement of cases/bench_pressure: a Pipeline of 4 x 20 mm in water and glycerine, denser
-/// than its figures say.
+/// The measurement of cases/bench_pressure: a Pipeline of 4 x 20 mm in water and glycerine, with
+/// another density than its figures say.
 void write_example(const std::filesystem::path& folder)
 {
     PressureBench bench;
@@ -99,7 +99,7 @@ void write_example(const std::filesystem::path& folder)
         file << fmt::format("{:.4f},{:.2f}\n", hidden.measured.abscissae[i],
                             hidden.measured.ordinates[i]);
     }
-    fmt::print("hidden: {:.3f} more crossings an area\n", *hidden.value);
+    fmt::print("hidden: density_change = {:.3f}\n", *hidden.value);
 }
 
 }  // namespace
