@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace braidzone {
 namespace {
@@ -169,12 +170,26 @@ TEST(ForceDiagnosis, FindsThickerWires)
     }
 }
 
-// The device rubs: a press test of its own with friction, which sticks and slips.
+// The device rubs: what friction of 0.4 does on average, and crossings that stick and slip, drawn
+// from a normal distribution.
 TEST(ForceDiagnosis, FindsFriction)
 {
     PressModel model = light_model();
-    model.options.friction = 0.3;
-    EXPECT_THAT(answers(diagnosed(measured(model))), testing::Contains("friction"));
+    model.options.friction = 0.4;
+    MeasuredCurve curve;
+    for (int i = 1; i <= 20; ++i)
+        curve.abscissae.push_back(0.1e-3 * i);
+    std::mt19937 random(2);
+    std::normal_distribution<double> slips(0.0, 0.4 * response().slip);
+    for (const double force : press_forces(response(), model, curve.abscissae))
+        curve.ordinates.push_back(force * std::exp(slips(random)));
+    const CurveDiagnosis diagnosis = diagnosed(curve);
+    ASSERT_THAT(answers(diagnosis), testing::Contains("friction"));
+    const FittedEffect& friction = diagnosis.explanation.fits[1].effects.front();
+    EXPECT_NEAR(friction.values.front(), 0.4, 2.0 * friction.sd.front());
+    EXPECT_LT(friction.sd.front(), 0.2);
+    // What is left is as rough as friction makes it.
+    EXPECT_LT(diagnosis.excess, 3.0);
 }
 
 // The head was set to zero 0.2 mm above the device.
