@@ -40,8 +40,9 @@ struct DiagnoseCommand {
     std::optional<std::filesystem::path> noise;        ///< noise floor (JSON)
     bool calibrate = false;                            ///< learn the noise floor instead
     bool separability = false;                         ///< tell what could be told apart instead
-    /// In place of a surface: a press test's force curve, a bench's pressure drop (CSV).
-    std::optional<std::filesystem::path> force_curve, pressure_drop;
+    /// In place of a surface: a press test's force curve, a bench's pressure drop (CSV); more to
+    /// learn from.
+    std::vector<std::filesystem::path> force_curves, pressure_drops;
 };
 
 /// diagnose: finds where a measured device differs from the simulated one, names the missing effect
@@ -51,7 +52,8 @@ void diagnose_case(const std::filesystem::path& case_file, const DiagnoseCommand
                    const CommonOptions& options);
 
 /// diagnose --force-curve, --pressure-drop: the same of a curve measured on a bench; the case is a
-/// press file or the file of a bench (`pressure_file.hpp`).
+/// press file or the file of a bench (`pressure_file.hpp`). With `calibrate` they learn the noise
+/// floor from curves in which no effect is missing, as `learn_noise_floor` does.
 void diagnose_force_curve(const std::filesystem::path& press_file, const DiagnoseCommand& command,
                           const CommonOptions& options);
 void diagnose_pressure_drop(const std::filesystem::path& bench_file, const DiagnoseCommand& command,

@@ -51,7 +51,9 @@ Json noise_as_json(const CurveNoise& noise, const std::string& unit)
             {"scale_sd", {{"value", noise.scale_sd}, {"unit", "1"}}},
             {"zero_sd", {{"value", noise.zero_sd}, {"unit", unit}}},
             {"background_sd", {{"value", noise.background_sd}, {"unit", "1"}}},
-            {"background_length", {{"value", noise.background_length}, {"unit", "range"}}}};
+            {"background_length", {{"value", noise.background_length}, {"unit", "range"}}},
+            {"abscissa_sd", {{"value", noise.abscissa_sd}, {"unit", unit == "N" ? "m" : "m/s"}}},
+            {"source", noise.source}};
 }
 
 Json points_as_json(const CurveDiagnosis& diagnosis, const CurveLabels& labels)

@@ -1,3 +1,4 @@
+#include "cli/case_hash.hpp"
 #include "cli/commands.hpp"
 #include "cli/diagnosed_case.hpp"
 #include "cli/diagnosis_page.hpp"
@@ -10,6 +11,7 @@
 #include "cli/progress.hpp"
 #include "cli/result_files.hpp"
 #include "cli/summary.hpp"
+#include "cli/unfinished_work.hpp"
 #include "core/error.hpp"
 #include "core/file_hash.hpp"
 #include "discrepancy/diagnosis.hpp"
@@ -69,6 +71,15 @@ std::optional<LengthUnit> unit_of(const DiagnoseCommand& command)
 {
     if (!command.length_unit) return std::nullopt;
     return length_unit(*command.length_unit);
+}
+
+/// All that the simulations of a diagnosis depend on: residuals are of measured points and scalars.
+std::vector<std::string> inputs_of_simulations(const Case& job, const DiagnoseCommand& command)
+{
+    std::vector<std::string> inputs = {case_hash(job), sha256_of_file(command.measured.front()),
+                                       command.length_unit.value_or("")};
+    inputs.push_back(command.scalars ? sha256_of_file(*command.scalars) : "");
+    return inputs;
 }
 
 }  // namespace
@@ -132,7 +143,10 @@ void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
     progress.begin("vessel", "reading the vessel");
     const Lumen lumen = lumen_of(job);
     const MeasuredScalars scalars = scalars_of(command, lumen.centerline);
-    progress.begin("diagnose", "deploying the device");
+    ResidualMemory memory =
+        unfinished_simulations(folder.final_path(), inputs_of_simulations(job, command));
+    diagnose_options.memory = &memory;
+    progress.begin("diagnose", doing_with("deploying the device", memory));
     diagnose_options.explain.on_progress = [&](const std::string& doing) {
         progress.begin("diagnose", doing);
     };
@@ -154,8 +168,12 @@ void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
         json["times_s"][time.stage] = time.seconds;
     write_text_file(folder.path() / "diagnosis.json", json.dump(1) + "\n");
     folder.commit();
+    memory.forget();
 
     if (options.quiet) return;
+    if (memory.num_found() > 0) {
+        fmt::print("{} simulations were those of an interrupted run\n", memory.num_found());
+    }
     fmt::print("{}  {:<12}{}\n", diagnosis_summary(diagnosis), "results",
                folder.final_path().string());
 }
@@ -164,16 +182,16 @@ void diagnose(const fs::path& case_file, const DiagnoseCommand& command,
               const CommonOptions& options)
 {
     if (command.separability) return tell_separability(case_file, command, options);
-    const int given = (command.measured.empty() ? 0 : 1) + (command.force_curve ? 1 : 0) +
-                      (command.pressure_drop ? 1 : 0);
+    const int given = (command.measured.empty() ? 0 : 1) + (command.force_curves.empty() ? 0 : 1) +
+                      (command.pressure_drops.empty() ? 0 : 1);
     if (given != 1) {
         throw ConfigError(
             fmt::format("diagnose takes one of --measured, --force-curve and --pressure-drop; {} "
                         "are given",
                         given));
     }
-    if (command.force_curve) return diagnose_force_curve(case_file, command, options);
-    if (command.pressure_drop) return diagnose_pressure_drop(case_file, command, options);
+    if (!command.force_curves.empty()) return diagnose_force_curve(case_file, command, options);
+    if (!command.pressure_drops.empty()) return diagnose_pressure_drop(case_file, command, options);
     if (command.calibrate) return learn_noise_floor(case_file, command, options);
     diagnose_case(case_file, command, options);
 }

@@ -229,20 +229,73 @@ std::string embedded(const std::filesystem::path& picture)
         base64_of(bytes));
 }
 
-}  // namespace
-
-std::string diagnosis_page(const Json& diagnosis, const std::filesystem::path& picture)
+/// Title, answer and picture, then what belongs to the observable.
+std::string page(const Json& diagnosis, const std::filesystem::path& picture,
+                 const std::string& title, const std::string& content)
 {
     return fmt::format(
                "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                "<title>Diagnosis</title>\n<style>{}</style>\n</head>\n<body>\n"
-               "<h1>Simulation and measurement</h1>\n<p class=\"answer\">{}</p>\n",
-               style, escaped(diagnosis["answer"]["text"].get<std::string>())) +
-           embedded(picture) + section("The gap", gaps(diagnosis)) + scalars(diagnosis) +
-           channels(diagnosis) + further(diagnosis) +
-           section("Where they differ", clusters(diagnosis)) +
-           section("Which effect", evidence(diagnosis)) + notes(diagnosis) + inputs(diagnosis) +
+               "<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
+               style, escaped(title), escaped(diagnosis["answer"]["text"].get<std::string>())) +
+           embedded(picture) + content + notes(diagnosis) + inputs(diagnosis) +
            "</body>\n</html>\n";
+}
+
+std::string percentage(const Json& share)
+{
+    return share.is_number() ? fmt::format("{:.2f} %", 100.0 * share.get<double>()) : "-";
+}
+
+std::string curve_gap(const Json& gaps)
+{
+    return table({"", "before", "after", "noise floor"},
+                 {{"gap, held out", percentage(gaps["before"]), percentage(gaps["after"]),
+                   percentage(gaps["noise_floor"])}}) +
+           "<p>Root mean square over the simulated curve; each of four blocks of points is "
+           "predicted from the others.</p>\n";
+}
+
+std::string separating(const Json& diagnosis)
+{
+    if (diagnosis["separated_by"].empty()) return "";
+    std::string text = "<ul>\n";
+    for (const Json& line : diagnosis["separated_by"])
+        text += fmt::format("<li>{}</li>\n", escaped(line.get<std::string>()));
+    return section("What would tell them apart", text + "</ul>\n");
+}
+
+/// Every number of every point, under the names of diagnosis.json.
+std::string points(const Json& diagnosis)
+{
+    Row heads;
+    std::vector<Row> rows;
+    for (const auto& [name, value] : diagnosis["points"].front().items())
+        heads.push_back(name);
+    for (const Json& point : diagnosis["points"]) {
+        rows.emplace_back();
+        for (const auto& [name, value] : point.items())
+            rows.back().push_back(number(value, 4));
+    }
+    return section("The points", table(heads, rows));
+}
+
+}  // namespace
+
+std::string diagnosis_page(const Json& diagnosis, const std::filesystem::path& picture)
+{
+    return page(diagnosis, picture, "Simulation and measurement",
+                section("The gap", gaps(diagnosis)) + scalars(diagnosis) + channels(diagnosis) +
+                    further(diagnosis) + section("Where they differ", clusters(diagnosis)) +
+                    section("Which effect", evidence(diagnosis)));
+}
+
+std::string curve_page(const Json& diagnosis, const std::filesystem::path& picture)
+{
+    return page(diagnosis, picture,
+                "Simulated and measured " + diagnosis["observable"].get<std::string>(),
+                section("The gap", curve_gap(diagnosis["gaps"])) + separating(diagnosis) +
+                    section("Which effect", evidence(diagnosis)) + points(diagnosis));
 }
 
 }  // namespace braidzone

@@ -16,4 +16,9 @@ namespace braidzone {
 std::string diagnosis_page(const nlohmann::ordered_json& diagnosis,
                            const std::filesystem::path& picture);
 
+/// The same of a curve measured on a bench: answer, picture, gaps, what would tell the effects of a
+/// set apart, the evidence, the points.
+std::string curve_page(const nlohmann::ordered_json& diagnosis,
+                       const std::filesystem::path& picture);
+
 }  // namespace braidzone

@@ -66,6 +66,7 @@ std::string ambiguous_text(const Explanation& explanation, const std::string& fu
     std::vector<std::string> names;
     for (const Answer& answer : explanation.verdict.answers)
         names.push_back(answer_name(answer));
+    if (explanation.verdict.unknown_lead) names.emplace_back("something unknown");
     const std::string what_would =
         further.empty()
             ? fmt::format("What would: {}.",
@@ -216,6 +217,7 @@ Json explanation_as_json(const Explanation& explanation, const HeldOutGap& held_
                    {"is_confirmed", explanation.best ? Json(held_out.confirms()) : Json()},
                    {"has_unexplained_rest", verdict.has_unexplained_rest},
                    {"cannot_be_told", unseen_effects(explanation)},
+                   {"may_be_unknown", verdict.unknown_lead.has_value()},
                    {"text", explanation_answer(explanation, held_out, floor, further)}}}};
     json["log_bayes_factor_unknown"] = explanation.log_evidence_unknown;
     json["log_bayes_factor_scalars"] = explanation.log_evidence_scalars;

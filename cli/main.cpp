@@ -163,10 +163,14 @@ void add_diagnose_verb(CLI::App& app, Arguments& arguments)
                     "the device's surface: STL, VTP, VTK, PLY, OBJ, or points as CSV or XYZ; "
                     "repeatable with --calibrate")
         ->allow_extra_args(false);
-    verb.add_option("--force-curve", command.force_curve,
-                    "in its place, of a press file: displacement_mm,force_1_mN,... (CSV)");
-    verb.add_option("--pressure-drop", command.pressure_drop,
-                    "in its place, of a bench: velocity_m_s,pressure_drop_1_Pa,... (CSV)");
+    verb.add_option("--force-curve", command.force_curves,
+                    "in its place, of a press file: displacement_mm,force_1_mN,... (CSV); "
+                    "repeatable with --calibrate")
+        ->allow_extra_args(false);
+    verb.add_option("--pressure-drop", command.pressure_drops,
+                    "in its place, of a bench: velocity_m_s,pressure_drop_1_Pa,... (CSV); "
+                    "repeatable with --calibrate")
+        ->allow_extra_args(false);
     verb.add_option("--length-unit", command.length_unit,
                     "of the measured coordinates: m, cm, mm, um (CSV: stated in its header)");
     verb.add_option("--scalars", command.scalars,

@@ -1,3 +1,4 @@
+#include "cli/case_hash.hpp"
 #include "cli/commands.hpp"
 #include "cli/diagnosed_case.hpp"
 #include "cli/effect_case.hpp"
@@ -5,10 +6,10 @@
 #include "cli/progress.hpp"
 #include "cli/separability_report.hpp"
 #include "cli/summary.hpp"
+#include "cli/unfinished_work.hpp"
 #include "core/error.hpp"
 #include "discrepancy/diagnosis.hpp"
 #include "discrepancy/planned_measurement.hpp"
-#include "discrepancy/remembered_problem.hpp"
 #include "discrepancy/surface_problem.hpp"
 
 #include <fmt/format.h>
@@ -59,13 +60,15 @@ void tell_separability(const std::filesystem::path& case_file, const DiagnoseCom
     Progress progress(options.quiet);
     progress.begin("vessel", "reading the vessel");
     const Lumen lumen = lumen_of(job);
-    progress.begin("separability", "trying each effect on each other one");
+    ResidualMemory memory = unfinished_simulations(std::filesystem::absolute(output.path()),
+                                                   {case_hash(job), "separability"});
+    progress.begin("separability", doing_with("trying each effect on each other one", memory));
     const Model model = model_of(job, lumen.centerline);
     const Simulation base = simulate(model, lumen);
     const Observations planned = planned_observations(base, model.imaging);
     const EffectSetting setting = effect_setting(model, base, planned.points);
     const ErrorModel error = make_error_model(planned, floor);
-    const DiagnosisProblem problem = remembered(
+    const DiagnosisProblem problem = memory.around(
         surface_problem({lumen, setting, base, planned, error, floor}, effect_catalogue()));
     const std::vector<ChannelSeparability> all = separability_by_channels(problem, planned);
     progress.end();
@@ -75,6 +78,7 @@ void tell_separability(const std::filesystem::path& case_file, const DiagnoseCom
         json["separability"].push_back(separability_as_json(channels));
     json["gains"] = gains_as_json(all);
     output.write(json.dump(1) + "\n");
+    memory.forget();
     if (options.quiet) return;
     for (const ChannelSeparability& channels : all)
         fmt::print("{}\n", separability_text(channels));

@@ -1,5 +1,6 @@
 #include "discrepancy/curve_diagnosis.hpp"
 
+#include "discrepancy/effect_roughness.hpp"
 #include "discrepancy/whitening.hpp"
 
 #include <cmath>
@@ -35,7 +36,12 @@ CurveDiagnosis diagnose_curve(const MeasuredCurve& measured, const CurveNoise& n
     const auto count = static_cast<double>(measured.ordinates.size());
     diagnosis.gap = {rms(diagnosis.held_out.before), rms(diagnosis.held_out.after),
                      std::sqrt((rows * problem.covariance * rows.transpose()).trace() / count)};
-    const double chi_square = Whitening(problem.covariance)(left).squaredNorm();
+    Eigen::MatrixXd covariance = problem.covariance;
+    if (diagnosis.explanation.best) {
+        covariance.diagonal() += roughness_variance(
+            problem, active_effects(diagnosis.explanation.fits[*diagnosis.explanation.best]));
+    }
+    const double chi_square = Whitening(covariance)(left).squaredNorm();
     diagnosis.excess = (chi_square - count) / std::sqrt(2.0 * count);
     return diagnosis;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace braidzone {
@@ -16,11 +17,17 @@ struct CurveNoise {
     /// falls to 1/e, over the range of the abscissae [-].
     double background_sd = 0.0;
     double background_length = 0.0;
+    /// Error along the abscissa, as alike from point to point as the background [m or m/s]: where a
+    /// head meets the crossings of a braid is known no better than they lie.
+    double abscissa_sd = 0.0;
+    std::string source = {};  ///< where the constants come from
 };
 
-/// Of a press test's force [N]. 1.5 % of a point; 3 % that changes along the curve, as nets of 16
-/// and 24 crossings around do where their nodes come to touch the bench, 4 % at most (stroke 0.5 to
-/// 3.5 mm); 2 % in common, of the load cell's calibration and of the bench's sizes.
+/// Of a press test's force [N]. 1 % of a point; 2 % that changes along the curve, of the device's
+/// imperfections; 2 % in common, of the load cell's calibration. What benches of sizes that are off
+/// by 0.03 mm, and nets of 12 to 20 crossings around in place of 24, do to the curve is that of an
+/// error of 0.018 mm along the displacement, alike over 0.6 mm (fitted to 15 press tests): up to a
+/// tenth of the force at the first contact, where few crossings touch, 1 % in the middle.
 CurveNoise force_noise();
 
 /// Of a bench's pressure drop [Pa]. Gauges for some 100 Pa are good to 0.5 % and 0.1 Pa, with a
@@ -35,8 +42,11 @@ CurveNoise pressure_noise();
 /// y, plus a twentieth of its largest, which keeps those near zero from counting too much:
 ///
 ///     r_i = (measured_i - simulated_i) / w_i,   w_i = |y_i| + 0.05 max |y|
+///
+/// An error along the abscissa counts with the slope of y between the neighbouring points.
 struct CurveWeights {
     Eigen::VectorXd weights;   ///< w [N or Pa]
+    Eigen::VectorXd relative;  ///< y / w
     Eigen::MatrixXd nuisance;  ///< of the common factor and the offset
     /// Of r: nuisance, background and points. A point has the greater of its own error and
     /// `standard_error`.

@@ -36,10 +36,25 @@ Eigen::VectorXd relative_residuals(const MeasuredCurve& measured,
         .cwiseQuotient(weights.weights);
 }
 
+Eigen::MatrixXd covariance_at_fit(const MeasuredCurve& measured, const CurveNoise& noise,
+                                  const CurveWeights& weights, const Eigen::VectorXd& residuals)
+{
+    std::vector<double> simulated;
+    for (std::size_t i = 0; i < measured.ordinates.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        simulated.push_back(measured.ordinates[i] - weights.weights[row] * residuals[row]);
+    }
+    const CurveWeights own =
+        make_curve_weights(measured.abscissae, simulated, measured.standard_error, noise);
+    const Eigen::VectorXd units = own.weights.cwiseQuotient(weights.weights);
+    return units.asDiagonal() * own.covariance * units.asDiagonal();
+}
+
 ExplainOptions curve_options()
 {
     ExplainOptions options;
     options.search.most_effects = 2;
+    options.verdict.offers_unknown = true;
     return options;
 }
 

@@ -16,6 +16,9 @@ struct CurveEffect {
     Candidate candidate;
     /// The model with the effect.
     std::function<Model(const Model&, const std::vector<double>&)> apply;
+    /// Standard deviation by which it moves each ordinate at random, over the simulated value of
+    /// the case as it is; empty for none (`Candidate::roughness`).
+    std::function<double(const std::vector<double>&)> roughness = {};
 };
 
 /// A curve measured on a bench.
@@ -53,6 +56,11 @@ Eigen::VectorXd relative_residuals(const MeasuredCurve& measured,
                                    const std::vector<double>& simulated,
                                    const CurveWeights& weights);
 
+/// Covariance of relative residuals if a model that leaves some is the truth: its own curve takes
+/// the place of that of the case as it is, in the same units.
+Eigen::MatrixXd covariance_at_fit(const MeasuredCurve& measured, const CurveNoise& noise,
+                                  const CurveWeights& weights, const Eigen::VectorXd& residuals);
+
 /// A measured curve against its simulation, for `explain`.
 /// @throws what `bench.simulate` throws for the case as it is
 template <typename Model>
@@ -62,8 +70,17 @@ DiagnosisProblem make_curve_problem(const MeasuredCurve& measured, const CurveNo
     const CurveWeights weights = make_curve_weights(measured.abscissae, bench.simulate(bench.base),
                                                     measured.standard_error, noise);
     DiagnosisProblem problem = curve_problem_of(weights);
-    for (const CurveEffect<Model>& effect : bench.effects)
+    for (const CurveEffect<Model>& effect : bench.effects) {
         problem.candidates.push_back(effect.candidate);
+        if (!effect.roughness) continue;
+        problem.candidates.back().roughness =
+            [weights, rough = effect.roughness](const std::vector<double>& values) {
+                return Eigen::VectorXd(rough(values) * weights.relative);
+            };
+    }
+    problem.covariance_at = [measured, noise, weights](const Eigen::VectorXd& residuals) {
+        return covariance_at_fit(measured, noise, weights, residuals);
+    };
     problem.residuals = [measured, weights, bench](const std::vector<ActiveEffect>& active) {
         return relative_residuals(measured, bench.simulate(with_effects(bench, active)), weights);
     };
@@ -71,7 +88,8 @@ DiagnosisProblem make_curve_problem(const MeasuredCurve& measured, const CurveNo
 }
 
 /// How curves are searched: for two effects together at the most, which is what a smooth curve of a
-/// few shapes can tell.
+/// few shapes can tell. Where an unknown effect explains a curve about as well as a known one, the
+/// answer is a set with both: a dozen points seldom exclude either.
 ExplainOptions curve_options();
 
 /// Blocks of neighbouring points for `held_out_gap`: four, or as many as there are points.

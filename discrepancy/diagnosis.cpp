@@ -150,7 +150,8 @@ Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> poin
     const SurfaceData data{lumen,           diagnosis.setting,
                            diagnosis.base,  diagnosis.observations,
                            diagnosis.error, options.floor};
-    const DiagnosisProblem problem = surface_problem(data, catalogue);
+    DiagnosisProblem problem = surface_problem(data, catalogue);
+    if (options.memory != nullptr) problem = options.memory->around(std::move(problem));
     diagnosis.map = make_discrepancy_map(diagnosis.observations.field, diagnosis.error,
                                          problem.residuals({}).head(diagnosis.error.num_patches),
                                          options.clusters);

@@ -8,6 +8,7 @@
 #include "discrepancy/further_measurement.hpp"
 #include "discrepancy/gap.hpp"
 #include "discrepancy/held_out.hpp"
+#include "discrepancy/residual_memory.hpp"
 
 #include <optional>
 #include <vector>
@@ -19,6 +20,7 @@ struct DiagnoseOptions {
     PatchOptions patches;
     ClusterOptions clusters;
     ExplainOptions explain;
+    ResidualMemory* memory = nullptr;  ///< of deployments that an interrupted diagnosis made
 };
 
 /// Shares of a cluster's area in parts of the device.

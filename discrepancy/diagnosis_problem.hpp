@@ -25,6 +25,10 @@ struct Candidate {
     /// By which standard deviations of its parameters are wider than the curvature of the fit says:
     /// what happens in reality is not quite the effect as it is implemented.
     double interval_factor = 1.0;
+    /// Standard deviations by which the effect moves each residual of the field at random, as
+    /// sticking and slipping does, given its values; empty if its residuals are smooth. Only for
+    /// candidates with one parameter (`effect_roughness.hpp`).
+    std::function<Eigen::VectorXd(const std::vector<double>& values)> roughness = {};
 };
 
 /// A candidate that is in the model.
@@ -47,6 +51,9 @@ struct DiagnosisProblem {
     std::function<Eigen::VectorXd(const std::vector<ActiveEffect>&)> residuals;
     /// Of the residuals where no effect is missing: noise, imperfections, nuisances marginalised.
     Eigen::MatrixXd covariance;
+    /// The same if a model that leaves these residuals is the truth, for intervals: of errors that
+    /// grow with what is simulated. Empty where they do not.
+    std::function<Eigen::MatrixXd(const Eigen::VectorXd& residuals)> covariance_at = {};
     /// The part of the covariance that is nobody's model error, such as the scan's registration: it
     /// is taken out of a gap. Empty for none.
     Eigen::MatrixXd nuisance;

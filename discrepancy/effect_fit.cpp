@@ -1,5 +1,6 @@
 #include "discrepancy/effect_fit.hpp"
 
+#include "discrepancy/effect_roughness.hpp"
 #include "discrepancy/laplace_evidence.hpp"
 
 #include <Eigen/Dense>
@@ -167,6 +168,20 @@ std::vector<FittedEffect> fitted_effects(const EffectResiduals& residuals,
     return fitted;
 }
 
+/// Covariance of the parameters in units of their priors: that of the best fit's curvature, H^-1 =
+/// (I + S' S)^-1; where the residuals' covariance C_1 at the fit is not the one C that they were
+/// whitened with, H^-1 (I + S' L^-1 C_1 L^-T S) H^-1.
+Eigen::MatrixXd spread(const DiagnosisProblem& problem, const Whitening& whitening,
+                       const Eigen::VectorXd& residuals, const Eigen::MatrixXd& slope)
+{
+    const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(slope.cols(), slope.cols());
+    const Eigen::MatrixXd inverse = (one + slope.transpose() * slope).inverse();
+    if (!problem.covariance_at) return inverse;
+    const Eigen::MatrixXd half = whitening.of_columns(problem.covariance_at(residuals));
+    const Eigen::MatrixXd whole = whitening.of_columns(half.transpose());
+    return inverse * (one + slope.transpose() * whole * slope) * inverse;
+}
+
 /// The fit at parameters; none if the effects cannot be simulated there.
 std::optional<EffectFit> fit_at(EffectResiduals& residuals, const DiagnosisProblem& problem,
                                 const FitData& data, const Eigen::VectorXd& x)
@@ -179,11 +194,9 @@ std::optional<EffectFit> fit_at(EffectResiduals& residuals, const DiagnosisProbl
     const Eigen::VectorXd z = data.whitening(fit.residuals);
     const Eigen::MatrixXd slope = data.whitening.of_columns(fit.derivatives);
     fit.chi_square = z.squaredNorm();
-    const Eigen::Index n = x.size();
-    const Eigen::MatrixXd covariance =
-        (Eigen::MatrixXd::Identity(n, n) + slope.transpose() * slope).inverse();
+    const Eigen::MatrixXd covariance = spread(problem, data.whitening, fit.residuals, slope);
     std::vector<double> sd;
-    for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index i = 0; i < x.size(); ++i)
         sd.push_back(std::sqrt(covariance(i, i)) * residuals.parameters()[index(i)].prior_sd);
     fit.effects = fitted_effects(residuals, problem, residuals.values(x), sd);
     std::vector<bool> is_uniform;
@@ -260,6 +273,7 @@ std::vector<EffectParameter> parameters_of(const EffectFit& fit)
 EffectFit fit_effect(const DiagnosisProblem& problem, const Whitening& whitening,
                      const Eigen::VectorXd& base, std::size_t candidate, const FitOptions& options)
 {
+    if (problem.candidates[candidate].roughness) return fit_rough_effect(problem, base, candidate);
     const FitData data{whitening, base};
     EffectResiduals residuals(problem, {candidate});
     std::vector<Eigen::VectorXd> ends;

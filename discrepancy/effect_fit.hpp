@@ -17,7 +17,7 @@ struct FittedEffect {
     std::string name, title, separated_by;  ///< of the candidate
     std::vector<EffectParameter> parameters;
     std::vector<double> values;  ///< [SI]
-    /// From the curvature at the best fit, times `Candidate::interval_factor` [SI].
+    /// From the curvature and the errors at the best fit, times `Candidate::interval_factor` [SI].
     std::vector<double> sd;
 };
 
@@ -72,6 +72,8 @@ struct FitOptions {
 ///     ln B = 1/2 (|z_0|^2 - |z|^2 - |x|^2) - 1/2 ln det(I + S' S) + 1/2 ln(2 pi / 12) per uniform
 ///
 /// The last term is that of a parameter that may be anywhere: about zero if the data say nothing.
+///
+/// A candidate with roughness is fitted as `fit_rough_effect` says.
 /// @param base  residuals of the case as it is
 EffectFit fit_effect(const DiagnosisProblem& problem, const Whitening& whitening,
                      const Eigen::VectorXd& base, std::size_t candidate,

@@ -72,8 +72,8 @@ std::vector<Addition> promising_additions(const DiagnosisProblem& problem, const
                                           const std::vector<EffectFit>& singles,
                                           const Eigen::VectorXd& base, const SearchOptions& options)
 {
-    const Whitening whitening(
-        with_implementation_error(problem, base - set.residuals, options.implementation_error));
+    const Whitening whitening(with_implementation_error(
+        problem, active_effects(set), base - set.residuals, options.implementation_error));
     const CandidateSet present = candidates_of(set);
     std::vector<Addition> additions;
     for (const EffectFit& single : singles) {
@@ -94,8 +94,8 @@ std::vector<Addition> promising_additions(const DiagnosisProblem& problem, const
 double gain_over(const DiagnosisProblem& problem, const EffectFit& set, const EffectFit& larger,
                  const Eigen::VectorXd& base, const SearchOptions& options)
 {
-    const Whitening whitening(
-        with_implementation_error(problem, base - set.residuals, options.implementation_error));
+    const Whitening whitening(with_implementation_error(
+        problem, active_effects(set), base - set.residuals, options.implementation_error));
     const auto evidence = [&](const EffectFit& fit) {
         return linear_refit(whitening(fit.residuals), whitening.of_columns(fit.derivatives), fit.x,
                             parameters_of(fit))

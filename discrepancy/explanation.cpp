@@ -40,9 +40,11 @@ bool may_miss_something(const Explanation& explanation, const VerdictOptions& ba
 }
 
 Whitening whitening_with(const DiagnosisProblem& problem, const Explanation& explanation,
-                         const Eigen::VectorXd& residuals, const ExplainOptions& options)
+                         const std::vector<ActiveEffect>& effects, const Eigen::VectorXd& residuals,
+                         const ExplainOptions& options)
 {
-    return Whitening(with_implementation_error(problem, explanation.base_residuals - residuals,
+    return Whitening(with_implementation_error(problem, effects,
+                                               explanation.base_residuals - residuals,
                                                options.search.implementation_error));
 }
 
@@ -53,7 +55,8 @@ std::vector<NamedEvidence> weigh(const DiagnosisProblem& problem, const Explanat
     tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
         const EffectFit& fit = explanation.fits[i];
         if (!fit.failure.empty()) return;
-        const Whitening whitening = whitening_with(problem, explanation, fit.residuals, options);
+        const Whitening whitening =
+            whitening_with(problem, explanation, active_effects(fit), fit.residuals, options);
         NamedEvidence& evidence = all[i];
         evidence.fit = i;
         for (const FittedEffect& effect : fit.effects)
@@ -106,7 +109,11 @@ Explanation explain(const DiagnosisProblem& problem, const ExplainOptions& optio
     if (!explanation.verdict.answers.empty())
         explanation.best = explanation.verdict.answers.front().fit;
     const Eigen::VectorXd& after = explanation.residuals_after();
-    const Whitening last = whitening_with(problem, explanation, after, options);
+    const Whitening last =
+        whitening_with(problem, explanation,
+                       explanation.best ? active_effects(explanation.fits[*explanation.best])
+                                        : std::vector<ActiveEffect>{},
+                       after, options);
     explanation.unexplained = UnknownEffect(problem, last).mean_field(last(after));
     return explanation;
 }

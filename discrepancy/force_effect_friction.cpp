@@ -1,15 +1,16 @@
 #include "discrepancy/force_effects.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace braidzone {
 
 /// The device rubs on head and block.
 ///
-/// Coulomb's friction between wires and bench raises the force by some 3 % for each 0.1, most
-/// where the device slides over the edges of the notch. Prior 0.25: metal on metal, dry. Key:
-/// press.friction.
-ForceEffect friction_effect(const PressModel& base)
+/// Coulomb's friction between wires and bench raises the force by some 2 % for each 0.1, and makes
+/// the curve rough, as crossings stick and slip one by one: by as much again, from one point to the
+/// next. Prior 0.25: metal on metal, dry. Key: press.friction.
+ForceEffect friction_effect(const PressModel& base, double slip)
 {
     const double present = base.options.friction;
     return {{.name = "friction",
@@ -22,7 +23,8 @@ ForceEffect friction_effect(const PressModel& base)
                 PressModel model = before;
                 model.options.friction = std::max(0.0, model.options.friction + x[0]);
                 return model;
-            }};
+            },
+            [slip](const std::vector<double>& x) { return slip * std::abs(x[0]); }};
 }
 
 }  // namespace braidzone

@@ -11,11 +11,12 @@ using ForceEffect = CurveEffect<PressModel>;
 
 /// Effects that may be missing in the model of a press test, in the order in which equals are
 /// reported: what concerns the bench first.
-std::vector<ForceEffect> force_effects(const PressModel& base);
+std::vector<ForceEffect> force_effects(const PressResponse& response);
 
 // One file each.
 ForceEffect zero_offset_effect();
-ForceEffect friction_effect(const PressModel& base);
+/// @param slip  scatter per unit of friction (`PressResponse::slip`)
+ForceEffect friction_effect(const PressModel& base, double slip);
 ForceEffect wire_diameter_effect();
 ForceEffect surface_coefficient_effect();
 ForceEffect radial_coefficient_effect();

@@ -1,8 +1,11 @@
 #include "discrepancy/implementation_error.hpp"
 
+#include "discrepancy/effect_roughness.hpp"
+
 namespace braidzone {
 
 Eigen::MatrixXd with_implementation_error(const DiagnosisProblem& problem,
+                                          const std::vector<ActiveEffect>& effects,
                                           const Eigen::VectorXd& change, double ratio)
 {
     const Eigen::Index n = problem.distances.rows();
@@ -17,6 +20,7 @@ Eigen::MatrixXd with_implementation_error(const DiagnosisProblem& problem,
         covariance.bottomRightCorner(count, count) +=
             (of_numbers * of_numbers.transpose()).cwiseProduct(problem.shape_correlation);
     }
+    covariance.diagonal() += roughness_variance(problem, effects);
     return covariance;
 }
 

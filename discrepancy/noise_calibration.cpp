@@ -1,6 +1,7 @@
 #include "discrepancy/noise_calibration.hpp"
 
 #include "core/error.hpp"
+#include "discrepancy/constant_search.hpp"
 #include "discrepancy/error_model.hpp"
 #include "discrepancy/whitening.hpp"
 
@@ -52,27 +53,9 @@ NoiseFloor calibrate_noise_floor(const std::vector<CalibrationSet>& sets)
             "a noise floor is learned from at least {} measurements without an effect; {} given",
             fewest_sets, sets.size()));
     }
-    NoiseFloor floor;
-    double best = log_posterior(sets, floor);
-    for (const double step : {0.4, 0.2, 0.1, 0.05, 0.03}) {
-        constexpr int most_rounds = 6;
-        bool has_moved = true;
-        for (int round = 0; has_moved && round < most_rounds; ++round) {
-            has_moved = false;
-            for (const auto constant : constants) {
-                for (const double direction : {1.0, -1.0}) {
-                    NoiseFloor trial = floor;
-                    trial.*constant *= std::exp(direction * step);
-                    const double value = log_posterior(sets, trial);
-                    if (value <= best) continue;
-                    best = value;
-                    floor = trial;
-                    has_moved = true;
-                    break;
-                }
-            }
-        }
-    }
+    NoiseFloor floor = best_constants(NoiseFloor{}, constants, [&](const NoiseFloor& trial) {
+        return log_posterior(sets, trial);
+    });
     floor.source = fmt::format("learned from {} measurements without an effect", sets.size());
     return floor;
 }

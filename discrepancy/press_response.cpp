@@ -70,9 +70,15 @@ double ratio_of(const PressModel& model)
     return model.options.radial_factor / model.options.surface_factor;
 }
 
-/// Parabola through ln M / friction of all runs, by least squares.
-std::vector<double> friction_slope(const std::vector<Run>& runs, const std::vector<double>& none,
-                                   double base_friction, std::size_t size)
+/// What friction does to the force: `PressResponse::friction` and `slip`.
+struct FrictionEffect {
+    std::vector<double> slope;
+    double slip = 0.0;
+};
+
+/// Parabola through ln M / friction of all runs, by least squares, and the scatter about it.
+FrictionEffect friction_effect_of(const std::vector<Run>& runs, const std::vector<double>& none,
+                                  double base_friction, std::size_t size)
 {
     std::vector<Eigen::Vector3d> rows;
     std::vector<double> slopes, weights;
@@ -86,8 +92,8 @@ std::vector<double> friction_slope(const std::vector<Run>& runs, const std::vect
             weights.push_back(change);
         }
     }
-    std::vector<double> result(size, 0.0);
-    if (rows.size() < 3) return result;
+    FrictionEffect result{std::vector<double>(size, 0.0)};
+    if (rows.size() < 4) return result;
     Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()), 3);
     Eigen::VectorXd right(matrix.rows());
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -98,19 +104,24 @@ std::vector<double> friction_slope(const std::vector<Run>& runs, const std::vect
     const Eigen::Vector3d fit = matrix.colPivHouseholderQr().solve(right);
     for (std::size_t i = 0; i < size; ++i) {
         const double x = static_cast<double>(i) / static_cast<double>(size);
-        result[i] = fit[0] + x * (fit[1] + x * fit[2]);
+        result.slope[i] = fit[0] + x * (fit[1] + x * fit[2]);
     }
+    double squares = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        squares += std::pow(slopes[i] - rows[i].dot(fit), 2);
+    result.slip = std::sqrt(squares / static_cast<double>(rows.size() - 3));
     return result;
 }
 
 /// The runs that a response takes: the case as it is on its own net and on the coarse one, then
 /// ratios, then frictions.
-std::vector<Run> planned_runs(const PressModel& base, int coarse_nodes_per_ring)
+std::vector<Run> planned_runs(const PressModel& base, const PressResponseOptions& options)
 {
+    if (!options.with_changes) return {{base}};
     PressModel coarse = base;
     const int own =
         base.options.nodes_per_ring > 0 ? base.options.nodes_per_ring : base.device.num_wires / 2;
-    coarse.options.nodes_per_ring = std::min(own, coarse_nodes_per_ring);
+    coarse.options.nodes_per_ring = std::min(own, options.coarse_nodes_per_ring);
     std::vector<Run> runs = {{base}, {coarse}};
     for (const double log_ratio : press_log_ratios()) {
         if (log_ratio == 0.0) continue;
@@ -148,7 +159,7 @@ PressResponse make_press_response(const PressModel& base, double stroke,
     response.base.options.max_halvings = most_halvings;
     response.step = response.base.options.step;
     response.force_scale = press_network(base.device, base.options).force_scale;
-    std::vector<Run> runs = planned_runs(response.base, options.coarse_nodes_per_ring);
+    std::vector<Run> runs = planned_runs(response.base, options);
     std::mutex one_call;
     int done = 0;
     tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t i) {
@@ -162,13 +173,21 @@ PressResponse make_press_response(const PressModel& base, double stroke,
         throw ConvergenceError(
             fmt::format("{}; the measured curve goes to {:.6g} mm", runs[0].failure, 1e3 * stroke));
     }
+    if (!options.with_changes) {
+        response.ratio.assign(press_log_ratios().size(), std::vector<double>(size, 0.0));
+        response.friction.assign(size, 0.0);
+        return response;
+    }
     const std::vector<double>& coarse = runs[1].force;
     auto next = runs.cbegin() + 2;
     for (const double log_ratio : press_log_ratios()) {
         response.ratio.push_back(log_ratio == 0.0 ? std::vector<double>(size, 0.0)
                                                   : log_ratio_of((next++)->force, coarse, size));
     }
-    response.friction = friction_slope({next, runs.cend()}, coarse, base.options.friction, size);
+    const FrictionEffect friction =
+        friction_effect_of({next, runs.cend()}, coarse, base.options.friction, size);
+    response.friction = friction.slope;
+    response.slip = friction.slip;
     return response;
 }
 

@@ -21,6 +21,10 @@ DiagnosisProblem of_rows(const DiagnosisProblem& problem, const std::vector<int>
         return problem.residuals(effects)(rows);
     };
     chosen.covariance = problem.covariance(rows, rows);
+    // Data without noise tell smooth changes apart; these two are of all rows.
+    chosen.covariance_at = {};
+    for (Candidate& candidate : chosen.candidates)
+        candidate.roughness = {};
     return chosen;
 }
 

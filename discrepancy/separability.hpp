@@ -30,7 +30,8 @@ struct Separability {
 /// which is how a test for j against i is best chosen (Hunter and Reiner 1965, T-optimality). A
 /// candidate's typical size is one standard deviation of its prior in its first parameter; of one
 /// with several starts, the start of median d' against no effect.
-/// @param problem  the same simulations are asked for many times: one that is `remembered`
+/// @param problem  the same simulations are asked for many times: one that remembers them
+///                (`residual_memory.hpp`)
 /// @param rows     residuals that would be measured, increasing
 Separability separability(const DiagnosisProblem& problem, const std::vector<int>& rows,
                           const FitOptions& options = {});

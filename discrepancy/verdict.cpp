@@ -27,7 +27,9 @@ bool is_part_of(const Answer& one, const Answer& other)
 VerdictOptions for_choice_among(std::size_t num_candidates, const VerdictOptions& options)
 {
     VerdictOptions result = options;
-    result.effect_bar += std::log(std::max(1.0, static_cast<double>(num_candidates)));
+    const double choice = std::log(std::max(1.0, static_cast<double>(num_candidates)));
+    result.effect_bar += choice;
+    result.unknown_margin += choice;
     return result;
 }
 
@@ -47,8 +49,20 @@ Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unkn
         return verdict;
     verdict.finding = Finding::unknown;
     if (ordered.empty()) return verdict;
-    const double best = score(ordered.front());
-    if (best - std::max(log_evidence_unknown, 0.0) < options.margin) return verdict;
+    double best = score(ordered.front());
+    const double unknown = std::max(log_evidence_unknown, 0.0);
+    const bool beside_unknown =
+        best - unknown < (options.offers_unknown ? options.unknown_margin : options.margin);
+    if (beside_unknown) {
+        // Those that need no unknown effect to explain about as much.
+        std::erase_if(ordered, [&](const NamedEvidence& one) {
+            return !options.offers_unknown ||
+                   one.log_evidence < std::max(options.effect_bar, unknown - options.margin);
+        });
+        if (ordered.empty()) return verdict;
+        best = score(ordered.front());
+        verdict.unknown_lead = unknown - best;
+    }
     std::vector<Answer> near;
     for (const NamedEvidence& one : ordered) {
         if (best - score(one) < options.margin) near.push_back({one.effects, one.fit});
@@ -58,7 +72,8 @@ Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unkn
                          [&](const Answer& other) { return is_part_of(answer, other); }))
             verdict.answers.push_back(answer);
     }
-    verdict.finding = verdict.answers.size() == 1 ? Finding::named : Finding::ambiguous;
+    verdict.finding =
+        verdict.answers.size() == 1 && !beside_unknown ? Finding::named : Finding::ambiguous;
     const NamedEvidence& first = *std::find_if(
         ordered.begin(), ordered.end(),
         [&](const NamedEvidence& one) { return one.effects == verdict.answers.front().effects; });

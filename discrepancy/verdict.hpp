@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,15 @@ struct VerdictOptions {
     double unknown_bar = 3.4;      ///< unknown effect against none: 99 % of a prototype's runs
     double unexplained_bar = 3.4;  ///< unknown effect beside a named one
     double margin = 3.0;           ///< Bayes factor of 20: less does not decide
+    /// An unknown effect that is not clearly worse than the best answer stands beside it in a set,
+    /// instead of being the answer. Clearly: by `unknown_margin`, to which the choice among many
+    /// adds as well.
+    bool offers_unknown = false;
+    double unknown_margin = 3.0;
 };
 
-/// The options with ln n more on the bar of a named effect: the best of n Bayes factors must reach
-/// 20 once it is divided by the number of candidates it was chosen from.
+/// The options with ln n more on the bar of a named effect and on `unknown_margin`: the best of n
+/// Bayes factors must reach 20 once it is divided by the number of candidates it was chosen from.
 VerdictOptions for_choice_among(std::size_t num_candidates, const VerdictOptions& options);
 
 enum class Finding {
@@ -50,6 +56,8 @@ struct Verdict {
     std::vector<Answer> answers;
     /// A structured gap remains that the best answer does not explain.
     bool has_unexplained_rest = false;
+    /// Score of an unknown effect over that of the best answer, if it is one of the set.
+    std::optional<double> unknown_lead = {};
 };
 
 /// Decides between no effect, the known effects (each alone, and sets of them), an unknown effect,
@@ -61,6 +69,10 @@ struct Verdict {
 /// unknown are below their bars; the effect is unknown if the margin is less than 3; else all
 /// within 3 of the best score are the answers, but for those whose effects are all in another of
 /// them: what was added to them was found to be missing. Equal scores keep the given order.
+///
+/// With `offers_unknown`, where the margin is less than `unknown_margin`, those known effects are
+/// answers beside an unknown one whose own ln B_k reaches its bar and is no more than 3 below ln
+/// B_U.
 Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unknown,
                double log_evidence_scalars = 0.0, const VerdictOptions& options = {});
 

@@ -11,11 +11,15 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
+#include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace braidzone {
@@ -37,6 +41,20 @@ Ended run(std::vector<std::string> arguments, const fs::path& folder)
     const test::Program program(arguments, folder);
     const int status = program.wait();
     return {status, program.out(), program.err()};
+}
+
+/// Starts a diagnosis and ends it as a power failure would once it keeps a few simulations.
+void kill_after_some_simulations(std::vector<std::string> arguments, const fs::path& folder,
+                                 const fs::path& kept)
+{
+    arguments.insert(arguments.begin(), "diagnose");
+    const test::Program program(arguments, folder);
+    constexpr std::uintmax_t some = 10000;  // bytes, five of them or so
+    constexpr auto moment = std::chrono::milliseconds(20);
+    for (int i = 0; i < 15000 && !(fs::exists(kept) && fs::file_size(kept) > some); ++i)
+        std::this_thread::sleep_for(moment);
+    program.send(SIGKILL);
+    EXPECT_EQ(program.wait(), 128 + SIGKILL);
 }
 
 nlohmann::json json_in(const fs::path& file)
@@ -72,11 +90,19 @@ TEST(DiagnoseVerb, NamesTheHiddenPushAndWritesACaseWithIt)
 {
     const test::TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
-    const Ended ended = run({(hidden_push / "case.toml").string(), "--measured",
-                             (hidden_push / "measured.csv").string(), "--scalars",
-                             (hidden_push / "measured.toml").string(), "--output", output.string()},
-                            folder.path());
+    const std::vector<std::string> arguments = {(hidden_push / "case.toml").string(),
+                                                "--measured",
+                                                (hidden_push / "measured.csv").string(),
+                                                "--scalars",
+                                                (hidden_push / "measured.toml").string(),
+                                                "--output",
+                                                output.string()};
+    // Killed after some simulations, it goes on from there.
+    kill_after_some_simulations(arguments, folder.path(), folder.path() / ".out.simulations");
+    const Ended ended = run(arguments, folder.path());
     ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr("simulations were those of an interrupted run"));
+    EXPECT_FALSE(fs::exists(folder.path() / ".out.simulations"));
     EXPECT_THAT(ended.out, HasSubstr("local_push: the operator pushed"));
     const auto result = json_in(output / "diagnosis.json");
     EXPECT_EQ(result["answer"]["finding"], "named");

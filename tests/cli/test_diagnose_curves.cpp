@@ -13,6 +13,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,65 @@ TEST(DiagnosePressureDrop, NamesASecondLayerAndWritesABenchWithIt)
     EXPECT_THAT(again.out, HasSubstr("Nothing is missing"));
 }
 
+// The shipped bench, whose measurement was made with a third fewer crossings an area (-0.334).
+TEST(DiagnosePressureDrop, NamesTheHiddenDensityOfTheShippedBench)
+{
+    const test::TemporaryFolder folder;
+    const fs::path shipped = fs::path(BRAIDZONE_SOURCE_DIR) / "cases/bench_pressure";
+    const fs::path output = folder.path() / "out";
+    const Ended ended =
+        diagnosed({(shipped / "bench.toml").string(), "--pressure-drop",
+                   (shipped / "measured.csv").string(), "--output", output.string()},
+                  folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const auto result = json_in(output / "diagnosis.json");
+    EXPECT_EQ(result["answer"]["effects"], nlohmann::json({{"density"}}));
+    for (const auto& effect : result["effects"]) {
+        if (effect["effect"] != "density") continue;
+        const auto& change = effect["parameters"]["density"]["density_change"];
+        EXPECT_NEAR(change["value"].get<double>(), -0.334, 2.0 * change["sd"].get<double>());
+    }
+    std::ifstream file(output / "report.html");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_THAT(page, testing::AllOf(HasSubstr("Simulated and measured pressure drop"),
+                                     HasSubstr("density: "), HasSubstr("data:image/png;base64,"),
+                                     HasSubstr("<td>149.3</td>"),  // the last point
+                                     testing::EndsWith("</html>\n")));
+}
+
+// Five benches without an effect, each with a gauge off by a factor of its own. The
+// floor that is learned has that factor, and is read back.
+TEST(DiagnosePressureDrop, LearnsANoiseFloorAndReadsItBack)
+{
+    const test::TemporaryFolder folder;
+    const std::string bench = folder.write("bench.toml", bench_text("")).string();
+    std::vector<std::string> arguments = {bench, "--calibrate"};
+    for (const double factor : {0.92, 0.96, 1.0, 1.04, 1.08}) {
+        arguments.emplace_back("--pressure-drop");
+        arguments.push_back(
+            folder.write(fmt::format("drop_{}.csv", factor), drops(factor, 330.0)).string());
+    }
+    const Ended learned = diagnosed(arguments, folder.path());
+    ASSERT_EQ(learned.status, 0) << learned.err;
+    const fs::path noise = folder.path() / "bench.noise.json";
+    const double scale = json_in(noise)["scale_sd"].get<double>();
+    // The deviation of five factors is 0.057, known to a third.
+    EXPECT_GT(scale, 0.035);
+    EXPECT_LT(scale, 0.08);
+
+    // 12 % too much is an effect by the shipped floor, none by what these benches do.
+    const std::string drop = folder.write("drop.csv", drops(1.12)).string();
+    const fs::path output = folder.path() / "out";
+    const Ended ended = diagnosed(
+        {bench, "--pressure-drop", drop, "--noise", noise.string(), "--output", output.string()},
+        folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr("Nothing is missing"));
+    const auto result = json_in(output / "diagnosis.json");
+    EXPECT_NEAR(result["noise_floor"]["scale_sd"]["value"].get<double>(), scale, 1e-9);
+    EXPECT_EQ(result["inputs"]["noise"]["path"], noise.string());
+}
+
 TEST(DiagnosePressureDrop, FindsThatTheLawLacksInertia)
 {
     const test::TemporaryFolder folder;
@@ -133,8 +193,12 @@ TEST(DiagnosePressureDrop, RefusesWhatItCannotUse)
                                               "--pressure-drop; 0 are given"));
     EXPECT_THAT(refused({good, "--pressure-drop", drop, "--force-curve", drop}, 2),
                 HasSubstr("2 are given"));
-    EXPECT_THAT(refused({good, "--pressure-drop", drop, "--calibrate"}, 2),
-                HasSubstr("--calibrate has no part in the diagnosis of a pressure drop"));
+    EXPECT_THAT(refused({good, "--pressure-drop", drop, "--scalars", drop}, 2),
+                HasSubstr("--scalars has no part in the diagnosis of a pressure drop"));
+    EXPECT_THAT(refused({good, "--pressure-drop", drop, "--pressure-drop", drop}, 2),
+                HasSubstr("diagnose takes one pressure drop, 2 are given"));
+    EXPECT_THAT(refused({good, "--pressure-drop", drop, "--calibrate"}, 3),
+                HasSubstr("at least 3 curves without an effect; 1 given"));
     refused({good, "--pressure-drop", "nowhere.csv"}, 5);
     const std::string few =
         folder

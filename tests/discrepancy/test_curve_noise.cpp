@@ -29,6 +29,12 @@ TEST(CurveWeights, CovarianceHasTheStatedParts)
     const CurveWeights background = make_curve_weights(
         x, y, 0.0, {.point_sd = 0.1, .background_sd = 0.2, .background_length = 0.5});
     EXPECT_NEAR(background.covariance(0, 1), 0.04 * one * two * std::exp(-2.0), 1e-15);
+
+    // A slope of -2.5 at both points: 0.1 along the abscissa is 0.25.
+    const CurveWeights along = make_curve_weights(
+        x, y, 0.0, {.point_sd = 0.1, .background_length = 0.5, .abscissa_sd = 0.1});
+    EXPECT_NEAR(along.covariance(0, 1), 0.0625 / (10.5 * 5.5) * std::exp(-2.0), 1e-15);
+    EXPECT_NEAR(along.covariance(0, 0), 0.01 * one * one + 0.0625 / (10.5 * 10.5), 1e-15);
 }
 
 TEST(CurveWeights, TakesTheRepeatsErrorWhereItIsGreater)

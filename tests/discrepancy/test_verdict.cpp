@@ -115,4 +115,28 @@ TEST(ForChoiceAmong, AsksForABayesFactorOfTwentyPerCandidate)
     EXPECT_EQ(for_choice_among(15, {}).unknown_bar, VerdictOptions{}.unknown_bar);
 }
 
+// Unknown 10. The first is 1 ahead by itself; the second is 2.9 below it; the third needs the
+// unknown effect to come near; the fourth does not reach the bar of 3.
+TEST(Decide, PutsKnownEffectsBesideAnUnknownOneIfAsked)
+{
+    const std::vector<NamedEvidence> named = {
+        one("friction", 11.0, 0.0, 0.0), one("stiffening", 8.1, 0.0, 0.0),
+        one("zero_offset", 4.0, 6.0, 0.0), one("density", 2.0, 8.5, 0.0)};
+    EXPECT_EQ(decide(named, 10.0).finding, Finding::unknown);
+    VerdictOptions options;
+    options.offers_unknown = true;
+    const Verdict verdict = decide(named, 10.0, 0.0, options);
+    EXPECT_EQ(verdict.finding, Finding::ambiguous);
+    EXPECT_THAT(names(verdict), ElementsAre("friction", "stiffening"));
+    ASSERT_TRUE(verdict.unknown_lead.has_value());
+    EXPECT_DOUBLE_EQ(*verdict.unknown_lead, -1.0);
+
+    // One alone beside the unknown one is a set, too; 3 ahead of it, it is named.
+    const std::vector<NamedEvidence> alone = {named.front()};
+    EXPECT_EQ(decide(alone, 10.0, 0.0, options).finding, Finding::ambiguous);
+    EXPECT_EQ(decide(alone, 8.0, 0.0, options).finding, Finding::named);
+    EXPECT_FALSE(decide(alone, 8.0, 0.0, options).unknown_lead.has_value());
+    EXPECT_EQ(decide(alone, 14.1, 0.0, options).finding, Finding::unknown);
+}
+
 }  // namespace braidzone

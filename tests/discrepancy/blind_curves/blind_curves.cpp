@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace {
@@ -43,7 +45,7 @@ void run_pressure(unsigned first_seed)
                                    pressure_curve_bench(hidden.stated, hidden.measured.abscissae)),
                 curve_options());
             const bool known = std::find(effects.begin(), effects.end(), kind) != effects.end();
-            test::count(tallies, {kind, known}, found.verdict);
+            test::count(tallies, {kind, known, hidden.value}, found);
         }
     }
     test::print(tallies);
@@ -54,9 +56,9 @@ void run_force(unsigned first_seed)
     const std::vector<std::string> effects = {"zero_offset",        "friction",
                                               "wire_diameter",      "surface_coefficient",
                                               "radial_coefficient", "stiffening"};
-    std::vector<std::vector<double>> tests(test::ForceMaker::num_tests);
+    std::vector<test::HiddenPressTest> tests(test::ForceMaker::num_tests);
     tbb::parallel_for(std::size_t{0}, tests.size(), [&](std::size_t i) {
-        tests[i] = test::ForceMaker::pressed(static_cast<int>(i));
+        tests[i] = test::ForceMaker::pressed(static_cast<int>(i), first_seed);
     });
     const PressResponse response = make_press_response(test::stated_press(), 3.25e-3);
     std::map<std::string, test::Tally> tallies;
@@ -64,7 +66,8 @@ void run_force(unsigned first_seed)
     int failed = 0;
     for (const auto& [kind, number] : numbers_of_cases(effects, {"sine", "slip", "hysteresis"})) {
         for (int i = 0; i < number; ++i) {
-            const MeasuredCurve curve = test::ForceMaker(seed++).make(kind, tests);
+            const test::HiddenForce hidden = test::ForceMaker(seed++).make(kind, tests);
+            const MeasuredCurve& curve = hidden.measured;
             failed += curve.abscissae.empty() ? 1 : 0;
             if (curve.abscissae.empty()) continue;
             const Explanation found =
@@ -72,11 +75,31 @@ void run_force(unsigned first_seed)
                                            force_curve_bench(response, curve.abscissae)),
                         curve_options());
             const bool known = std::find(effects.begin(), effects.end(), kind) != effects.end();
-            test::count(tallies, {kind, known}, found.verdict);
+            test::count(tallies, {kind, known, hidden.value}, found);
         }
     }
     test::print(tallies);
     fmt::print("\n{} cases of press tests without a state of rest are left out\n", failed);
+}
+
+/// The measurement of cases/bench_pressure: a Pipeline of 4 x 20 mm in water and glycerine, with
+/// another density than its figures say.
+void write_example(const std::filesystem::path& folder)
+{
+    PressureBench bench;
+    bench.device = test::stated_press().device;
+    bench.diameter = bench.device.nominal_diameter;
+    bench.channel_diameter = bench.diameter;
+    bench.fluid = {1060.0, 3.5e-3};
+    constexpr unsigned seed = 4;
+    const test::HiddenPressure hidden = test::PressureMaker(seed).make("density", bench);
+    std::ofstream file(folder / "measured.csv");
+    file << "velocity_m_s,pressure_drop_Pa\n";
+    for (std::size_t i = 0; i < hidden.measured.abscissae.size(); ++i) {
+        file << fmt::format("{:.4f},{:.2f}\n", hidden.measured.abscissae[i],
+                            hidden.measured.ordinates[i]);
+    }
+    fmt::print("hidden: density_change = {:.3f}\n", *hidden.value);
 }
 
 }  // namespace
@@ -84,10 +107,14 @@ void run_force(unsigned first_seed)
 int main(int argc, char** argv)
 {
     if (argc != 3) {
-        fmt::print(stderr, "usage: blind_curves pressure|force FIRST_SEED\n");
+        fmt::print(stderr, "usage: blind_curves pressure|force FIRST_SEED, or example FOLDER\n");
         return 2;
     }
     try {
+        if (std::string(argv[1]) == "example") {
+            write_example(argv[2]);
+            return 0;
+        }
         const auto seed = static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10));
         if (std::string(argv[1]) == "pressure") {
             run_pressure(seed);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@ namespace braidzone::test {
 struct HiddenPressure {
     PressureBench stated;
     MeasuredCurve measured;
+    /// The parameter of what is hidden, where the catalogue's effect has the same.
+    std::optional<double> value = {};
 };
 
 /// Pressure drops made from the formulas of a tube's braid and of a row of cylinders, written out
@@ -25,16 +28,24 @@ public:
     explicit PressureMaker(unsigned seed) : random_(seed) {}
 
     /// @param effect  a name of the catalogue, "none", "sine", "step" or "clipped"
-    HiddenPressure make(const std::string& effect)
+    HiddenPressure make(const std::string& effect) { return make(effect, any_bench()); }
+
+    /// The same on a bench with figures of its own.
+    HiddenPressure make(const std::string& effect, const PressureBench& stated)
     {
         HiddenPressure hidden;
-        hidden.stated = any_bench();
+        hidden.stated = stated;
         Truth truth{hidden.stated.fluid.viscosity, 1.0, 0.0, uniform(0.92, 1.08), 1.0};
         if (effect == "viscosity") truth.viscosity *= 1.0 + sign() * uniform(0.08, 0.2);
         if (effect == "density") truth.density = std::exp(sign() * uniform(0.15, 0.45));
         if (effect == "leakage") truth.gap = uniform(0.15e-3, 0.45e-3);
         if (effect == "second_layer") truth.layers = uniform(2.0, 2.2);
         if (effect == "missing_inertia") hidden.stated.law = BraidStokesLaw{false};
+        if (effect == "viscosity")
+            hidden.value = truth.viscosity / hidden.stated.fluid.viscosity - 1.0;
+        if (effect == "density") hidden.value = truth.density - 1.0;
+        if (effect == "leakage") hidden.value = truth.gap;
+        if (effect == "second_layer") hidden.value = truth.layers - 1.0;
         const double highest = uniform(0.3, 0.5);
         const int count = std::uniform_int_distribution<int>(12, 20)(random_);
         for (int i = 1; i <= count; ++i)
