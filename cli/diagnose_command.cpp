@@ -14,6 +14,7 @@
 #include "cli/unfinished_work.hpp"
 #include "core/error.hpp"
 #include "core/file_hash.hpp"
+#include "discrepancy/artefacts.hpp"
 #include "discrepancy/diagnosis.hpp"
 #include "discrepancy/measured_surface.hpp"
 #include "discrepancy/measurement_check.hpp"
@@ -78,7 +79,8 @@ std::vector<std::string> inputs_of_simulations(const Case& job, const DiagnoseCo
 {
     std::vector<std::string> inputs = {case_hash(job), sha256_of_file(command.measured.front()),
                                        command.length_unit.value_or("")};
-    inputs.push_back(command.scalars ? sha256_of_file(*command.scalars) : "");
+    for (const auto& file : {command.scalars, command.density_map, command.noise})
+        inputs.push_back(file ? sha256_of_file(*file) : "");
     return inputs;
 }
 
@@ -110,6 +112,8 @@ void learn_noise_floor(const fs::path& case_file, const DiagnoseCommand& command
             throw InputError(fmt::format("{}: {}", file.string(), error.what()));
         }
         observations.field = make_discrepancy_field(observations.points, model.imaging, base);
+        leave_out_artefacts(observations,
+                            residuals(observations, base, model.imaging, base.surface), {});
         Eigen::VectorXd measured = residuals(observations, base, model.imaging, base.surface);
         sets.push_back({std::move(observations), std::move(measured)});
     }

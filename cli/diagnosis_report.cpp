@@ -162,6 +162,18 @@ std::vector<std::string> diagnosis_warnings(const Diagnosis& diagnosis)
             field.num_points, field.num_on_rim, field.num_far, 1e3 * field.options.farthest,
             field.num_in_sparse, field.options.fewest_points));
     }
+    if (!diagnosis.artefacts.empty()) {
+        std::vector<std::string> places;
+        for (const Patch& patch : diagnosis.artefacts) {
+            places.push_back(fmt::format("{:.1f} mm and {:.0f} degrees ({} points)",
+                                         1e3 * patch.arc_length, degrees(patch.angle),
+                                         patch.points.size()));
+        }
+        warnings.push_back(fmt::format(
+            "left out as artefacts of the scan, more than 5 standard deviations off what their "
+            "neighbours say: the points at {}",
+            fmt::join(places, ", ")));
+    }
     if (diagnosis.observations.density.num_beyond_ends > 0) {
         warnings.push_back(fmt::format(
             "{} places of the density map lie beyond the simulated device's ends: they do not "
@@ -200,7 +212,9 @@ Json diagnosis_as_json(const Diagnosis& diagnosis, const NoiseFloor& floor)
     json["points"] = {{"measured", diagnosis.observations.field.num_points},
                       {"on_rim", diagnosis.observations.field.num_on_rim},
                       {"far", diagnosis.observations.field.num_far},
-                      {"in_sparse_patches", diagnosis.observations.field.num_in_sparse}};
+                      {"in_sparse_patches", diagnosis.observations.field.num_in_sparse},
+                      {"patches_of_artefacts", diagnosis.artefacts.size()}};
+    json["leaves_doubt"] = diagnosis.leaves_doubt();
     json["patches"] = patches_as_json(diagnosis);
     return json;
 }

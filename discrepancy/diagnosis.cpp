@@ -1,6 +1,7 @@
 #include "discrepancy/diagnosis.hpp"
 
 #include "core/error.hpp"
+#include "discrepancy/artefacts.hpp"
 #include "discrepancy/background_estimate.hpp"
 #include "discrepancy/measurement_check.hpp"
 #include "discrepancy/surface_folds.hpp"
@@ -113,6 +114,20 @@ void compare(Diagnosis& diagnosis, const DiagnosisProblem& problem, const Diagno
 
 }  // namespace
 
+ExplainOptions surface_options()
+{
+    ExplainOptions options;
+    options.verdict.offers_unknown = true;
+    return options;
+}
+
+bool Diagnosis::leaves_doubt() const
+{
+    const Verdict& verdict = explanation.verdict;
+    return verdict.has_unexplained_rest || verdict.unknown_lead.has_value() ||
+           background > largest_background_scale;
+}
+
 EffectSetting effect_setting(const Model& base, const Simulation& simulation,
                              const std::vector<Vec3>& points)
 {
@@ -146,6 +161,10 @@ Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> poin
         .openings = {},
         .observations = {std::move(points), std::move(field), scalars, std::move(density_field)}};
     diagnosis.openings = find_openings(diagnosis.base.deployment, lumen.wall);
+    diagnosis.artefacts = leave_out_artefacts(
+        diagnosis.observations,
+        residuals(diagnosis.observations, diagnosis.base, base.imaging, diagnosis.base.surface),
+        options.floor);
     diagnosis.error = make_error_model(diagnosis.observations, options.floor);
     const SurfaceData data{lumen,           diagnosis.setting,
                            diagnosis.base,  diagnosis.observations,

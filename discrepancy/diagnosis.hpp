@@ -15,11 +15,14 @@
 
 namespace braidzone {
 
+/// Of a surface: where an unknown effect is about as probable as a known one, both are answers.
+ExplainOptions surface_options();
+
 struct DiagnoseOptions {
     NoiseFloor floor;
     PatchOptions patches;
     ClusterOptions clusters;
-    ExplainOptions explain;
+    ExplainOptions explain = surface_options();
     ResidualMemory* memory = nullptr;  ///< of deployments that an interrupted diagnosis made
 };
 
@@ -35,6 +38,7 @@ struct Diagnosis {
     Simulation base;
     std::vector<WallOpening> openings = {};
     Observations observations;
+    std::vector<Patch> artefacts = {};  ///< that were left out (`leave_out_artefacts`)
     ErrorModel error = {};
     DiscrepancyMap map = {};                ///< of the case as it is
     std::vector<ClusterPlace> places = {};  ///< of its clusters
@@ -49,6 +53,10 @@ struct Diagnosis {
     HeldOutGap held_out = {};  ///< in the blocks of `surface_folds`
     GapComparison gap_held_out = {};
     double background = 1.0;  ///< `background_scale` of the best model
+
+    /// True if the best answer does not explain all: a structured gap remains, the rest scatters
+    /// more than the noise floor allows, or something unknown may be the cause in its place.
+    bool leaves_doubt() const;
 };
 
 /// What the effects start from, for measured points.

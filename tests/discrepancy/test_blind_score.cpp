@@ -24,7 +24,7 @@ Answer names(std::vector<std::vector<std::string>> sets, bool has_rest = false)
 {
     return {.finding = sets.size() == 1 ? "named" : "ambiguous",
             .sets = std::move(sets),
-            .has_unexplained_rest = has_rest};
+            .leaves_doubt = has_rest};
 }
 
 const Answer nothing{.finding = "nothing_missing"};
@@ -171,7 +171,7 @@ TEST(BlindFiles, KeepTruthsAndAnswers)
     std::ofstream(folder.path() / "answer.json") << answer_text(answer);
     const Answer back = read_answer(folder.path() / "answer.json");
     EXPECT_EQ(back.sets, answer.sets);
-    EXPECT_TRUE(back.has_unexplained_rest);
+    EXPECT_TRUE(back.leaves_doubt);
     EXPECT_EQ(first_answer(back), "blooming+local_push");
     EXPECT_EQ(back.fits.at("sliding").values, (std::map<std::string, double>{{"friction", 0.1}}));
     EXPECT_DOUBLE_EQ(back.fits.at("sliding").rms_after, 0.05e-3);

@@ -22,7 +22,7 @@ struct Answer {
     std::string finding;  ///< as `name_of(Finding)`, or "error"
     /// Alternatives, best first; each a set of effects.
     std::vector<std::vector<std::string>> sets = {};
-    bool has_unexplained_rest = false;
+    bool leaves_doubt = false;
     bool is_confirmed = false;  ///< by blocks that it was not chosen on
     double log_evidence_unknown = 0.0;
     std::map<std::string, FittedEffect> fits = {};

@@ -25,6 +25,12 @@ hidden::EffectSize size_in_turn(int turn)
     return static_cast<hidden::EffectSize>(turn % 3);
 }
 
+/// Weak effects often cannot be seen: a pair with one is hardly a pair.
+hidden::EffectSize size_of_two(int turn)
+{
+    return turn % 2 == 0 ? hidden::EffectSize::medium : hidden::EffectSize::strong;
+}
+
 /// A push and a pull make no pair: together they are neither.
 bool can_be_together(const std::string& first, const std::string& second)
 {
@@ -42,7 +48,7 @@ PlannedCase random_pair(const std::vector<std::string>& names, int turn, std::mt
         first = names[any(random)];
         second = names[any(random)];
     } while (!can_be_together(first, second));
-    return {"pair", {{first, size_in_turn(turn)}, {second, size_in_turn(turn / 3)}}};
+    return {"pair", {{first, size_of_two(turn)}, {second, size_of_two(turn / 2)}}};
 }
 
 }  // namespace

@@ -211,7 +211,7 @@ Score score_of(const std::vector<ScoredCase>& cases)
         ++score.confusion[label_of(truth)][first_answer(one.answer)];
         if (truth.kind == "none") score.false_alarm.add(is_detected(one.answer));
         if (truth.kind == "outside") {
-            const bool is_wrong = !one.answer.sets.empty() && !one.answer.has_unexplained_rest;
+            const bool is_wrong = !one.answer.sets.empty() && !one.answer.leaves_doubt;
             score.wrong_without_flag.add(is_wrong);
             score.wrong_without_flag_by_kind[label_of(truth)].add(is_wrong);
         }
