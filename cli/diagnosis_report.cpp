@@ -108,7 +108,7 @@ Json patches_as_json(const Diagnosis& diagnosis)
         Json patch = {{"arc_length_mm", 1e3 * all[i].arc_length},
                       {"angle_deg", degrees(all[i].angle)},
                       {"num_points", all[i].points.size()},
-                      {"median_mm", 1e3 * all[i].median},
+                      {"gap_mm", 1e3 * all[i].gap},
                       {"point_sd_mm", 1e3 * all[i].point_sd},
                       {"gap_before_mm", 1e3 * diagnosis.map.gap[row]},
                       {"t_before", diagnosis.map.t[row]},

@@ -37,15 +37,25 @@ Vec2 way_to_middle(const CrossSection& section, const Vec2& shift, const WallTre
     return 2.0 / num_directions * sum;
 }
 
-/// In-plane shift from the centerline to the middle [m], in the section's normal and binormal.
+/// In-plane shift from the centerline to the middle [m], in the section's normal and binormal: the
+/// fixed point of shift + way, with Anderson's acceleration of depth one (Walker and Ni 2011, doi
+/// 10.1137/10078356X), as plain steps close on it by a seventh each in front of a neck. A way that
+/// has become longer starts it anew.
 Vec2 centring_shift(const CrossSection& section, const WallTree& wall, double nominal_radius)
 {
     const double reach = std::min(nominal_radius, reach_ratio * section.inscribed_radius);
-    Vec2 shift = Vec2::Zero();
+    Vec2 shift = Vec2::Zero(), last_shift = shift;
+    Vec2 way = way_to_middle(section, shift, wall, reach), last_way = way;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
-        const Vec2 step = way_to_middle(section, shift, wall, reach);
-        shift += step;
-        if (step.norm() < tolerance_ratio * nominal_radius) break;
+        if (way.norm() < tolerance_ratio * nominal_radius) break;
+        const Vec2 change = way - last_way;
+        const bool accelerates = iteration > 0 && way.norm() < last_way.norm();
+        const double share = accelerates ? way.dot(change) / change.squaredNorm() : 0.0;
+        const Vec2 next = shift + way - share * (shift - last_shift + change);
+        last_shift = shift;
+        last_way = way;
+        shift = next;
+        way = way_to_middle(section, shift, wall, reach);
     }
     return shift;
 }

@@ -24,7 +24,7 @@ std::vector<int> outlying_values(const Eigen::MatrixXd& covariance, const Eigen:
 /// predict with the error model and, so that an effect is not taken for an artefact, any field
 /// besides that is smooth over 1 mm (0.16 mm, a Gaussian process).
 ///
-/// The median of a patch does not move with some of its points, but where most of them belong to
+/// The gap of a patch does not move with some of its points, but where most of them belong to
 /// something else one patch would outweigh all others: errors are taken as normal.
 /// @param residuals  of the base model
 /// @return the patches that were left out

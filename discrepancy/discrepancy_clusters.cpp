@@ -155,7 +155,7 @@ Eigen::MatrixXd smoothing_matrix(const DiscrepancyField& field, double kernel)
 }
 
 DiscrepancyMap make_discrepancy_map(const DiscrepancyField& field, const ErrorModel& error,
-                                    const Eigen::VectorXd& medians, const ClusterOptions& options)
+                                    const Eigen::VectorXd& gaps, const ClusterOptions& options)
 {
     const Eigen::Index n = error.num_patches;
     const Eigen::LLT<Eigen::MatrixXd> factor(error.without_registration().topLeftCorner(n, n));
@@ -169,8 +169,8 @@ DiscrepancyMap make_discrepancy_map(const DiscrepancyField& field, const ErrorMo
     const Eigen::VectorXd sd = (smoothing * lower).rowwise().norm();
 
     DiscrepancyMap map;
-    map.gap = registering * medians;
-    map.smoothed = smoothing * medians;
+    map.gap = registering * gaps;
+    map.smoothed = smoothing * gaps;
     map.t = map.smoothed.cwiseQuotient(sd);
     const auto beside = neighbours(field);
     const NullMaps null =

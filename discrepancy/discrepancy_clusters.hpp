@@ -27,7 +27,7 @@ struct Cluster {
     double from = 0.0, to = 0.0;  ///< its extent along the centerline [m]
     double arc_length = 0.0;      ///< its middle, weighted by the gap [m]
     double angle = 0.0;           ///< its middle around [rad]
-    double mean_gap = 0.0;        ///< signed, of the patches' medians [m]
+    double mean_gap = 0.0;        ///< signed, of the patches' gaps [m]
     double largest_gap = 0.0;     ///< signed, of the smoothed map [m]
     double contact_share = 0.0;   ///< of its area on wall contact
 };
@@ -49,7 +49,7 @@ struct DiscrepancyMap {
 /// error model alone, treated alike (Maris and Oostenveld 2007, doi 10.1016/j.jneumeth.2007.03.024,
 /// by parametric draws). It says that there is something, not where exactly its border runs.
 DiscrepancyMap make_discrepancy_map(const DiscrepancyField& field, const ErrorModel& error,
-                                    const Eigen::VectorXd& medians,
+                                    const Eigen::VectorXd& gaps,
                                     const ClusterOptions& options = {});
 
 /// Rows that smooth values over the patches: normalised Gaussian weights by distance in space.

@@ -11,6 +11,13 @@ namespace {
 constexpr double turn = 2.0 * std::numbers::pi;
 /// From the median absolute deviation of normal values to their standard deviation.
 constexpr double sd_of_mad = 1.4826;
+/// The deployment's own roughness, and the finest scatter that a few points can tell [m].
+constexpr double smallest_point_sd = 0.01e-3;
+/// Points that the scatter common to all patches counts for.
+constexpr double pooled_points = 10.0;
+/// Of Tukey's bisquare, for 95 % efficiency with normal values.
+constexpr double bisquare_cut = 4.685;
+constexpr int bisquare_rounds = 20;
 /// How far beyond its rim a surface is continued by the plane that touches it there [m]: in a bend
 /// of 15 mm it has left the wall by 5 um then.
 constexpr double rim_reach = 0.4e-3;
@@ -48,10 +55,10 @@ Patch make_patch(int row, int column, const Collected& collected, const Deployme
     patch.contact_share = in_contact / count;
     std::sort(patch.nodes.begin(), patch.nodes.end());
     patch.nodes.erase(std::unique(patch.nodes.begin(), patch.nodes.end()), patch.nodes.end());
-    patch.median = median_of(distances);
+    patch.gap = median_of(distances);
     for (double& distance : distances)
-        distance = std::abs(distance - patch.median);
-    patch.point_sd = sd_of_mad * median_of(distances);
+        distance = std::abs(distance - patch.gap);
+    patch.point_sd = std::max(sd_of_mad * median_of(distances), smallest_point_sd);
     patch.arc_length = (row + 0.5) * options.length;
     patch.angle = (column + 0.5) * turn / options.around;
     patch.area = options.length * turn / options.around * radius / count;
@@ -78,6 +85,41 @@ double distance_from(const DeviceSurface& surface, const DeviceSurface& base, co
                                  : on_base.distance;
     return std::lerp(along - surface.half_thickness(), from_base,
                      std::min(1.0, beyond / rim_reach));
+}
+
+/// Draws the scatter of each patch towards the median of all.
+void pool_scatter(std::vector<Patch>& patches)
+{
+    std::vector<double> sds;
+    for (const Patch& patch : patches)
+        sds.push_back(patch.point_sd);
+    if (sds.empty()) return;
+    const double common = median_of(sds);
+    for (Patch& patch : patches) {
+        const auto count = static_cast<double>(patch.points.size());
+        patch.point_sd =
+            std::sqrt((count * patch.point_sd * patch.point_sd + pooled_points * common * common) /
+                      (count + pooled_points));
+    }
+}
+
+/// Bisquare weights about the gap, and the gap with them, until both fit.
+void weigh_points(Patch& patch, const std::vector<double>& distances)
+{
+    for (int round = 0; round < bisquare_rounds; ++round) {
+        patch.weights.clear();
+        double sum = 0.0, mean = 0.0;
+        for (const double distance : distances) {
+            const double u = (distance - patch.gap) / (bisquare_cut * patch.point_sd);
+            const double inside = std::max(0.0, 1.0 - u * u);
+            patch.weights.push_back(inside * inside);
+            sum += inside * inside;
+            mean += inside * inside * distance;
+        }
+        for (double& weight : patch.weights)
+            weight /= sum;
+        patch.gap = mean / sum;
+    }
 }
 
 }  // namespace
@@ -127,25 +169,32 @@ DiscrepancyField make_discrepancy_field(const std::vector<Vec3>& points, const I
         field.patches.push_back(
             make_patch(place.first, place.second, content, base.deployment, options));
     }
+    pool_scatter(field.patches);
+    for (Patch& patch : field.patches) {
+        std::vector<double> distances;
+        for (const SurfaceFoot& foot : collected.at({patch.row, patch.column}).feet)
+            distances.push_back(foot.distance);
+        weigh_points(patch, distances);
+    }
     return field;
 }
 
-Eigen::VectorXd patch_medians(const std::vector<Vec3>& points, const DiscrepancyField& field,
-                              const Imaging& imaging, const DeviceSurface& surface,
-                              const DeviceSurface& base)
+Eigen::VectorXd patch_gaps(const std::vector<Vec3>& points, const DiscrepancyField& field,
+                           const Imaging& imaging, const DeviceSurface& surface,
+                           const DeviceSurface& base)
 {
-    Eigen::VectorXd medians(static_cast<Eigen::Index>(field.patches.size()));
-    std::vector<double> distances;
+    Eigen::VectorXd gaps =
+        Eigen::VectorXd::Constant(static_cast<Eigen::Index>(field.patches.size()), 0.0);
     for (std::size_t p = 0; p < field.patches.size(); ++p) {
-        distances.clear();
-        for (const int point : field.patches[p].points) {
-            distances.push_back(
-                distance_from(surface, base, in_vessel_frame(imaging, points[index(point)])) -
-                imaging.blooming);
+        const Patch& patch = field.patches[p];
+        for (std::size_t i = 0; i < patch.points.size(); ++i) {
+            if (patch.weights[i] == 0.0) continue;
+            const Vec3 point = in_vessel_frame(imaging, points[index(patch.points[i])]);
+            gaps[static_cast<Eigen::Index>(p)] +=
+                patch.weights[i] * (distance_from(surface, base, point) - imaging.blooming);
         }
-        medians[static_cast<Eigen::Index>(p)] = median_of(distances);
     }
-    return medians;
+    return gaps;
 }
 
 }  // namespace braidzone

@@ -9,34 +9,18 @@
 namespace braidzone {
 namespace {
 
-/// Variance of the median of n normal values over that of one, times n: pi / 2.
-constexpr double median_variance = 1.57;
-/// The deployment's own roughness, and the finest scatter that a few points can tell [m].
-constexpr double smallest_point_sd = 0.01e-3;
-
 double square(double x)
 {
     return x * x;
 }
 
-/// Points that the scatter common to all patches counts for: that of a few points alone says
-/// little.
-constexpr double pooled_points = 10.0;
-
-/// Variance of a point of each patch [m^2]: its own, drawn towards the patches' median.
-std::vector<double> point_variances(const std::vector<Patch>& patches)
+/// Of the weighted mean of a patch's distances [m^2].
+double variance_of_gap(const Patch& patch)
 {
-    std::vector<double> sds;
-    for (const Patch& patch : patches)
-        sds.push_back(std::max(patch.point_sd, smallest_point_sd));
-    std::vector<double> variances = sds;
-    const double common = square(median_of(sds));
-    for (std::size_t i = 0; i < patches.size(); ++i) {
-        const auto count = static_cast<double>(patches[i].points.size());
-        variances[i] =
-            (count * square(variances[i]) + pooled_points * common) / (count + pooled_points);
-    }
-    return variances;
+    double squares = 0.0;
+    for (const double weight : patch.weights)
+        squares += square(weight);
+    return square(patch.point_sd) * squares;
 }
 
 /// Covariance of distal end, proximal end and length between background deployments.
@@ -86,12 +70,9 @@ ErrorModel make_error_model(const Observations& observations, const NoiseFloor& 
     Vec3 middle = Vec3::Zero();
     for (const Patch& patch : patches)
         middle += patch.centre / static_cast<double>(n);
-    const std::vector<double> variances = point_variances(patches);
     for (Eigen::Index i = 0; i < n; ++i) {
         const Patch& patch = patches[static_cast<std::size_t>(i)];
-        model.white[i] = floor.white_scale * median_variance *
-                         variances[static_cast<std::size_t>(i)] /
-                         static_cast<double>(patch.points.size());
+        model.white[i] = floor.white_scale * variance_of_gap(patch);
         model.motion.row(i).head<3>() = patch.normal;
         model.motion.row(i).tail<3>() = (patch.centre - middle).cross(patch.normal);
     }

@@ -11,8 +11,7 @@ namespace braidzone {
 /// [m^2] of patches and lengths.
 ///
 ///     C = W + B + o^2 1 1' + G Lambda G'        patches
-///     W = diag(white_scale 1.57 sd^2 / n)       scatter of the points, of a median; sd of a patch
-///                                               is drawn towards that of all patches
+///     W = diag(white_scale sd^2 sum w^2)        scatter of the points in their weighted mean
 ///     B = background_sd^2 exp(-distance / background_length)
 ///     G = [n, (x - x0) x n]                     what a small motion of the scan does to a patch
 ///

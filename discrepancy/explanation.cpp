@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <utility>
 
@@ -52,6 +53,9 @@ std::vector<NamedEvidence> weigh(const DiagnosisProblem& problem, const Explanat
                                  const ExplainOptions& options)
 {
     std::vector<NamedEvidence> all(explanation.fits.size());
+    // Each further effect is one of those that are left.
+    const double others =
+        std::log(std::max(1.0, static_cast<double>(explanation.num_singles) - 1.0));
     tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
         const EffectFit& fit = explanation.fits[i];
         if (!fit.failure.empty()) return;
@@ -62,6 +66,7 @@ std::vector<NamedEvidence> weigh(const DiagnosisProblem& problem, const Explanat
         for (const FittedEffect& effect : fit.effects)
             evidence.effects.push_back(effect.name);
         evidence.log_evidence = fit.log_evidence;
+        evidence.log_prior = -others * static_cast<double>(fit.effects.size() - 1);
         evidence.log_evidence_unknown =
             UnknownEffect(problem, whitening).log_evidence(whitening(fit.residuals));
         evidence.log_evidence_scalars = unknown_scalars_evidence(problem, fit.residuals);

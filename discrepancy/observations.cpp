@@ -32,7 +32,7 @@ Eigen::VectorXd residuals(const Observations& observations, const Simulation& si
     const ResidualRows rows = residual_rows(observations);
     Eigen::VectorXd all(rows.size);
     all.head(rows.num_patches) =
-        patch_medians(observations.points, observations.field, imaging, simulation.surface, base);
+        patch_gaps(observations.points, observations.field, imaging, simulation.surface, base);
     const double distal = distal_end(simulation.deployment);
     const double proximal = proximal_end(simulation.deployment);
     const std::array<double, 3> simulated = {distal, proximal, distal - proximal};

@@ -32,9 +32,9 @@ ResidualRows residual_rows(const Observations& observations);
 /// Patches, lengths, densities and force that were measured.
 Eigen::Index num_residuals(const Observations& observations);
 
-/// Measured minus simulated: medians of the patches and lengths [m], densities in the unit of their
+/// Measured minus simulated: gaps of the patches and lengths [m], densities in the unit of their
 /// quantity, force [N].
-/// @param base  device of the base model, see `patch_medians`
+/// @param base  device of the base model, see `patch_gaps`
 Eigen::VectorXd residuals(const Observations& observations, const Simulation& simulation,
                           const Imaging& imaging, const DeviceSurface& base);
 

@@ -119,6 +119,7 @@ Observations planned_observations(const Simulation& base, const Imaging& imaging
         patch.point_sd = plan.point_sd;
         const auto planned = static_cast<std::size_t>(plan.points_per_patch);
         if (patch.points.size() > planned) patch.points.resize(planned);
+        patch.weights.assign(patch.points.size(), 1.0 / static_cast<double>(patch.points.size()));
     }
     observations = with_further_channels(observations, base, imaging, plan);
     observations.scalars.values[2].reset();  // the ends tell it

@@ -24,8 +24,8 @@ struct SurfaceData {
 Model model_with(const std::vector<Effect>& catalogue, const EffectSetting& setting,
                  const std::vector<ActiveEffect>& effects);
 
-/// A measured device surface as the search for a missing effect sees it: residuals are medians of
-/// signed distances over patches [m], then end positions and length [m], densities and the force
+/// A measured device surface as the search for a missing effect sees it: residuals are gaps of
+/// patches [m], then end positions and length [m], densities and the force
 /// on the wall [N] (`residuals` in observations.hpp); an effect is tried by deploying the device
 /// anew.
 ///

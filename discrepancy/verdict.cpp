@@ -9,7 +9,7 @@ namespace {
 
 double score(const NamedEvidence& named)
 {
-    return named.log_evidence + std::max(named.log_evidence_unknown, 0.0);
+    return named.log_evidence + std::max(named.log_evidence_unknown, 0.0) + named.log_prior;
 }
 
 /// True if the other answer has all effects of one, and more.

@@ -38,7 +38,7 @@ constexpr double sagitta = 0.018e-3;
 
 }  // namespace
 
-TEST(DiscrepancyField, HasTheMedianOfEachPatch)
+TEST(DiscrepancyField, HasTheGapOfEachPatch)
 {
     const Simulation base = straight_simulation(2e-3);
     // 0.1 mm outside over one patch, 3.2 to 4.0 mm and 30 to 60 degrees, else on the surface.
@@ -53,7 +53,7 @@ TEST(DiscrepancyField, HasTheMedianOfEachPatch)
     EXPECT_EQ(field.patches.size(), 11u * 12u);
     for (const Patch& patch : field.patches) {
         const bool inside = patch.row == 4 && patch.column == 1;
-        EXPECT_NEAR(patch.median, (inside ? 0.1e-3 : 0.0) + 0.5 * sagitta, 0.5 * sagitta);
+        EXPECT_NEAR(patch.gap, (inside ? 0.1e-3 : 0.0) + 0.5 * sagitta, 0.5 * sagitta);
         EXPECT_DOUBLE_EQ(patch.contact_share, 1.0);
         EXPECT_NEAR(patch.arc_length, (patch.row + 0.5) * 0.8e-3, 1e-12);
         // pi / 6 of 2 mm by 0.8 mm
@@ -90,28 +90,28 @@ TEST(DiscrepancyField, ScatterIsThatOfTheNormalPoints)
     EXPECT_NEAR(sum, 0.08e-3, 0.006e-3);  // 132 patches of about 30 points
 }
 
-TEST(PatchMedians, AreThoseOfAnotherSurfaceForTheSamePoints)
+TEST(PatchGaps, AreThoseOfAnotherSurfaceForTheSamePoints)
 {
     const Simulation base = straight_simulation(2e-3), wider = straight_simulation(2.1e-3);
     const auto points = cylinder_points([](double, double) { return 2e-3; }, 1e-3, 9e-3);
     const DiscrepancyField field = make_discrepancy_field(points, {}, base);
-    const Eigen::VectorXd medians = patch_medians(points, field, {}, wider.surface, base.surface);
-    ASSERT_EQ(medians.size(), static_cast<Eigen::Index>(field.patches.size()));
-    for (Eigen::Index i = 0; i < medians.size(); ++i)
-        EXPECT_NEAR(medians[i], -0.1e-3 + 0.5 * sagitta, 0.5 * sagitta);
+    const Eigen::VectorXd gaps = patch_gaps(points, field, {}, wider.surface, base.surface);
+    ASSERT_EQ(gaps.size(), static_cast<Eigen::Index>(field.patches.size()));
+    for (Eigen::Index i = 0; i < gaps.size(); ++i)
+        EXPECT_NEAR(gaps[i], -0.1e-3 + 0.5 * sagitta, 0.5 * sagitta);
 }
 
 // A device that ends at 5 mm says nothing of the surface from there on.
-TEST(PatchMedians, TakeTheBaseSurfaceBeyondTheEnds)
+TEST(PatchGaps, TakeTheBaseSurfaceBeyondTheEnds)
 {
     const Simulation base = straight_simulation(2e-3), shorter = straight_simulation(2.1e-3, 5e-3);
     const auto points = cylinder_points([](double, double) { return 2.3e-3; }, 1e-3, 9e-3);
     const DiscrepancyField field = make_discrepancy_field(points, {}, base);
-    const Eigen::VectorXd medians = patch_medians(points, field, {}, shorter.surface, base.surface);
+    const Eigen::VectorXd gaps = patch_gaps(points, field, {}, shorter.surface, base.surface);
     for (std::size_t i = 0; i < field.patches.size(); ++i) {
         const double expected = field.patches[i].arc_length > 5.4e-3 ? 0.3e-3 : 0.2e-3;
         if (std::abs(field.patches[i].arc_length - 5e-3) < 0.9e-3) continue;
-        EXPECT_NEAR(medians[static_cast<Eigen::Index>(i)], expected + 0.5 * sagitta,
+        EXPECT_NEAR(gaps[static_cast<Eigen::Index>(i)], expected + 0.5 * sagitta,
                     0.5 * sagitta + 1e-6);
     }
 }
@@ -119,22 +119,21 @@ TEST(PatchMedians, TakeTheBaseSurfaceBeyondTheEnds)
 // A scan moved by (0.1, 0, 0.3) mm has points beyond the rim, but is misplaced there as elsewhere:
 // a point at (x, y) is sqrt((x + 0.1)^2 + y^2) from the axis. The plane that continues the surface
 // leans with the rim's normals, by 3 um over the moved distance.
-TEST(PatchMedians, OfAMovedScanAreContinuedBeyondTheRim)
+TEST(PatchGaps, OfAMovedScanAreContinuedBeyondTheRim)
 {
     const Simulation base = straight_simulation(2e-3);
     const auto points = cylinder_points([](double, double) { return 2e-3; }, 1e-3, 10e-3);
     const DiscrepancyField field = make_discrepancy_field(points, {}, base);
     Imaging imaging;
     imaging.shift = Vec3(0.1e-3, 0.0, 0.3e-3);
-    const Eigen::VectorXd medians =
-        patch_medians(points, field, imaging, base.surface, base.surface);
+    const Eigen::VectorXd gaps = patch_gaps(points, field, imaging, base.surface, base.surface);
     for (std::size_t i = 0; i < field.patches.size(); ++i) {
         std::vector<double> expected;
         for (const int point : field.patches[i].points) {
             const Vec3 moved = points[static_cast<std::size_t>(point)] + imaging.shift;
             expected.push_back(std::hypot(moved.x(), moved.y()) - 2e-3);
         }
-        EXPECT_NEAR(medians[static_cast<Eigen::Index>(i)], median_of(expected) + 0.5 * sagitta,
+        EXPECT_NEAR(gaps[static_cast<Eigen::Index>(i)], median_of(expected) + 0.5 * sagitta,
                     0.5 * sagitta + 3e-6)
             << "at " << field.patches[i].arc_length;
     }

@@ -69,7 +69,8 @@ TEST(Effects, ChangeTheirOwnKeyAndNothingElse)
     EXPECT_EQ(moved.imaging.shift, Vec3(1e-3, 0.0, 0.0));
     EXPECT_EQ(moved.imaging.rotation, Vec3(0.0, 0.1, 0.0));
     EXPECT_DOUBLE_EQ(moved.device.nominal_diameter, 4e-3);
-    EXPECT_DOUBLE_EQ(with("sliding", {0.3}).schedule.sliding, 0.3);
+    EXPECT_DOUBLE_EQ(with("sliding", {0.3, 0.5e-3}).schedule.sliding, 0.3);
+    EXPECT_DOUBLE_EQ(with("sliding", {0.3, 0.5e-3}).landing_distal, 25.5e-3);
     EXPECT_DOUBLE_EQ(with("free_hub", {0.1e-3}).options.hub_shift, 0.1e-3);
 }
 

@@ -35,7 +35,7 @@ TEST(ErrorModel, HasTheStatedCovariance)
     const double expected = std::pow(0.026e-3, 2) * std::exp(-distance / 2.2e-3) +
                             std::pow(0.02e-3, 2) + motion(3).dot(motion(17));
     EXPECT_NEAR(covariance(3, 17), expected, 1e-6 * expected);
-    const double white = 1.2 * 1.57 * std::pow(test::patch_point_sd, 2) / test::patch_points;
+    const double white = 1.2 * std::pow(test::patch_point_sd, 2) / test::patch_points;
     const double variance =
         white + std::pow(0.026e-3, 2) + std::pow(0.02e-3, 2) + motion(3).squaredNorm();
     EXPECT_NEAR(covariance(3, 3), variance, 1e-6 * variance);

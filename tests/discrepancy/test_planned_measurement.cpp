@@ -45,7 +45,7 @@ TEST(PlannedObservations, AgreeWithTheCase)
     }
 }
 
-// Variance of a patch's median: pi / 2 sd^2 / n, with ends known to 0.3 mm.
+// Variance of a mean: sd^2 / n, with ends known to 0.3 mm.
 TEST(PlannedObservations, HaveThePlannedNoise)
 {
     const Observations planned = planned_observations(
@@ -55,7 +55,7 @@ TEST(PlannedObservations, HaveThePlannedNoise)
     const ErrorModel error = make_error_model(planned, floor);
     const Eigen::Index middle = error.num_patches / 2;
     EXPECT_EQ(planned.field.patches[static_cast<std::size_t>(middle)].points.size(), 10u);
-    EXPECT_NEAR(error.white[middle], 1.57 * 0.05e-3 * 0.05e-3 / 10.0, 1e-13);
+    EXPECT_NEAR(error.white[middle], 0.05e-3 * 0.05e-3 / 10.0, 1e-13);
     EXPECT_DOUBLE_EQ(error.white[error.num_patches], 0.2e-3 * 0.2e-3);
     EXPECT_EQ(residual_rows(planned).num_lengths, 2);
     const ResidualRows rows = residual_rows(planned);

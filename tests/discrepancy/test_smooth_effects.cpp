@@ -56,8 +56,8 @@ public:
     Eigen::VectorXd operator()(const Effect& effect, const std::vector<double>& values) const
     {
         const Model model = effect.apply(setting_, values);
-        return patch_medians(points_, field_, model.imaging, simulate(model, lumen_).surface,
-                             base_.surface);
+        return patch_gaps(points_, field_, model.imaging, simulate(model, lumen_).surface,
+                          base_.surface);
     }
 
 private:

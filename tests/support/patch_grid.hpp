@@ -27,6 +27,7 @@ inline DiscrepancyField cylinder_field(int rows, double radius)
             patch.row = row;
             patch.column = column;
             patch.points.assign(patch_points, 0);
+            patch.weights.assign(patch_points, 1.0 / patch_points);
             patch.point_sd = patch_point_sd;
             patch.arc_length = (row + 0.5) * field.options.length;
             patch.angle = 2.0 * std::numbers::pi * (column + 0.5) / field.options.around;
