@@ -50,7 +50,7 @@ Effect axial_twist_effect()
     return {"axial_twist", "the device was twisted",
             true,          "a map of the braid angle, or a projection that shows single wires",
             parameters,    starts,
-            apply};
+            apply,         3.0};
 }
 
 }  // namespace braidzone

@@ -25,7 +25,7 @@ Effect blooming_effect()
     return {"blooming", "the device is segmented too thick or too thin",
             false,      "a caliper of known size in the scan, or the positions of the end markers",
             parameters, starts,
-            apply};
+            apply,      1.2};
 }
 
 }  // namespace braidzone

@@ -43,7 +43,8 @@ Effect incomplete_opening(DeviceEnd end, std::string name, std::string title)
             cone_starts,
             [end](const EffectSetting& setting, const std::vector<double>& x) {
                 return with_cone(setting, end, x);
-            }};
+            },
+            3};
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ Effect nominal_diameter_effect()
             "the implanted length, or the diameter of a device of that batch on the bench",
             parameters,
             starts,
-            apply};
+            apply,
+            3.0};
 }
 
 }  // namespace braidzone

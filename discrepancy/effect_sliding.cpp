@@ -9,7 +9,7 @@ namespace braidzone {
 /// (`release_spacing.hpp`). It is longer, less dense, and bulges less into the neck. Where it has
 /// slid to is not known with it: a braid that is laid down from its distal end keeps that, one that
 /// relaxes after its release moves both ends, so the landing is a parameter too. Prior of the share
-/// 0.4 about what the case has, as not much more is known of it than its bounds; of the landing 0.5
+/// 0.4 about what the case has, as not much more is known of it than its bounds; of the landing 1
 /// mm. Keys: deployment.sliding, landing_distal.
 Effect sliding_effect()
 {
@@ -17,7 +17,7 @@ Effect sliding_effect()
         const double base = setting.base.schedule.sliding;
         return std::vector<EffectParameter>{
             normal_parameter("share", "1", base, 0.4, 0.0, 1.0),
-            normal_parameter("landing", "mm", 0.0, 0.5e-3, -3e-3, 3e-3)};
+            normal_parameter("landing", "mm", 0.0, 1e-3, -5e-3, 5e-3)};
     };
     const auto starts = [](const EffectSetting& setting) {
         const double base = setting.base.schedule.sliding;

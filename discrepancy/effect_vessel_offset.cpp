@@ -28,7 +28,8 @@ Effect vessel_offset_effect()
             "a second scan of the vessel before the deployment, or a caliper of known size",
             parameters,
             starts,
-            apply};
+            apply,
+            1.3};
 }
 
 }  // namespace braidzone

@@ -52,7 +52,8 @@ Effect vessel_straightening_effect()
             "a second scan of the vessel after the deployment",
             parameters,
             starts,
-            apply};
+            apply,
+            2.5};
 }
 
 }  // namespace braidzone

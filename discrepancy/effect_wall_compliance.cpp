@@ -46,7 +46,8 @@ Effect wall_compliance_effect()
             "a second scan of the vessel after the deployment",
             parameters,
             starts,
-            apply};
+            apply,
+            2.2};
 }
 
 }  // namespace braidzone

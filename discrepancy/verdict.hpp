@@ -22,7 +22,7 @@ struct VerdictOptions {
     /// Named effect against none; `effect_bar` adds what the choice among many costs.
     double effect_bar = 3.0;
     double unknown_bar = 3.4;      ///< unknown effect against none: 99 % of a prototype's runs
-    double unexplained_bar = 3.4;  ///< unknown effect beside a named one
+    double unexplained_bar = 0.0;  ///< unknown effect beside a named one: more probable than none
     double margin = 3.0;           ///< Bayes factor of 20: less does not decide
     /// An unknown effect that is not clearly worse than the best answer stands beside it in a set,
     /// instead of being the answer. Clearly: by `unknown_margin`, to which the choice among many

@@ -60,9 +60,9 @@ TEST(NoiseFloor, RefusesWhatIsNone)
     const std::string text = noise_floor_text({});
     EXPECT_THAT(refusal(text, "background_sd_mm", "background_mm"),
                 HasSubstr("\"background_mm\" is not known; did you mean \"background_sd_mm\"?"));
-    EXPECT_THAT(refusal(text, "\"white_scale\": 0.9", "\"white_scale\": 0"),
+    EXPECT_THAT(refusal(text, "\"white_scale\": 1.0", "\"white_scale\": 0"),
                 HasSubstr("white_scale = 0 must be positive"));
-    EXPECT_THAT(refusal(text, "\"white_scale\": 0.9", "\"white_scale\": \"1\""),
+    EXPECT_THAT(refusal(text, "\"white_scale\": 1.0", "\"white_scale\": \"1\""),
                 HasSubstr("white_scale is missing or not a number"));
     EXPECT_THAT(refusal("[1]", "", ""), HasSubstr("is not a JSON object"));
     EXPECT_THROW(read_noise_floor("/nowhere/noise.json"), IoError);

@@ -37,7 +37,7 @@ Answer answer_of(const Diagnosis& diagnosis)
     Answer answer{.finding = name_of(explanation.verdict.finding)};
     for (const braidzone::Answer& one : explanation.verdict.answers)
         answer.sets.push_back(one.effects);
-    answer.has_unexplained_rest = explanation.verdict.has_unexplained_rest;
+    answer.leaves_doubt = diagnosis.leaves_doubt();
     answer.is_confirmed = diagnosis.held_out.confirms();
     answer.log_evidence_unknown = explanation.log_evidence_unknown;
     for (std::size_t i = 0; i < explanation.num_singles; ++i) {
@@ -68,7 +68,7 @@ std::string answer_text(const Answer& answer)
 {
     Json json = {{"finding", answer.finding},
                  {"sets", answer.sets},
-                 {"has_unexplained_rest", answer.has_unexplained_rest},
+                 {"leaves_doubt", answer.leaves_doubt},
                  {"is_confirmed", answer.is_confirmed},
                  {"log_evidence_unknown", answer.log_evidence_unknown},
                  {"rms_before", answer.rms_before},
@@ -94,7 +94,7 @@ Answer read_answer(const std::filesystem::path& file)
     const Json json = Json::parse(in);
     Answer answer{.finding = json.at("finding"),
                   .sets = json.at("sets"),
-                  .has_unexplained_rest = json.at("has_unexplained_rest"),
+                  .leaves_doubt = json.at("leaves_doubt"),
                   .is_confirmed = json.at("is_confirmed"),
                   .log_evidence_unknown = json.at("log_evidence_unknown"),
                   .fits = {},

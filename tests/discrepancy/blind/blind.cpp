@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/file_hash.hpp"
+#include "discrepancy/artefacts.hpp"
 #include "discrepancy/blind/plan.hpp"
 #include "discrepancy/blind/score.hpp"
 #include "discrepancy/noise_calibration.hpp"
@@ -104,6 +105,7 @@ CalibrationSet calibration_set(std::uint32_t seed)
     CalibrationSet set;
     set.observations = {made.scan.points, make_discrepancy_field(made.scan.points, {}, base),
                         made.scan.ends};
+    leave_out_artefacts(set.observations, residuals(set.observations, base, {}, base.surface), {});
     set.residuals = residuals(set.observations, base, {}, base.surface);
     return set;
 }
@@ -146,8 +148,7 @@ void diagnose_all(const Arguments& arguments)
                 [&] { return answer_to(read_case(arguments.data / open[i]), catalogue, options); });
             write_text(arguments.answers / (open[i] + ".json"), answer_text(answer));
             fmt::print("{} {}{} ({} deployments){}\n", open[i], first_answer(answer),
-                       answer.has_unexplained_rest ? " and a rest" : "", answer.num_runs,
-                       answer.error);
+                       answer.leaves_doubt ? ", with doubt" : "", answer.num_runs, answer.error);
             std::fflush(stdout);
         }
     };

@@ -94,7 +94,7 @@ std::map<std::string, double> hide_free_hub(HiddenStory& story, EffectSize size,
                                             std::mt19937& random)
 {
     story.scene.hub_pull = sized(size, {0.06e-3, 0.1e-3, 0.16e-3, 0.25e-3}, random);
-    return {{"pull", story.scene.hub_pull}};
+    return {{"shift", story.scene.hub_pull}};
 }
 
 /// A cone about a line beside the axis, inside which an end of the device stays.
