@@ -118,6 +118,7 @@ ExplainOptions surface_options()
 {
     ExplainOptions options;
     options.verdict.offers_unknown = true;
+    options.doubts_shapes = true;
     return options;
 }
 

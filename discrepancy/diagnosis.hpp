@@ -15,7 +15,8 @@
 
 namespace braidzone {
 
-/// Of a surface: where an unknown effect is about as probable as a known one, both are answers.
+/// Of a surface: effects in reality are not quite of the shape that they have here, and where an
+/// unknown effect is about as probable as a known one, both are answers.
 ExplainOptions surface_options();
 
 struct DiagnoseOptions {

@@ -12,6 +12,15 @@ constexpr double start_half_width = 2.5e-3;
 /// Between starts [m]: a waist is found from half its width away.
 constexpr double start_distance = 2.5e-3;
 
+/// The angle over a stretch at which the flatter wires lie at nine tenths of the turn that no braid
+/// reaches: x = t R0 d phi / ds (`axial_twist.hpp`), with 1.5 times the mean slope in the middle.
+double steepest_angle(const FlowDiverter& device, double half_width)
+{
+    constexpr double largest_turn = 0.9, steepest_slope = 1.5;
+    return largest_turn * 2.0 * half_width /
+           (steepest_slope * device.braid_ratio * device.nominal_radius());
+}
+
 }  // namespace
 
 /// The device was twisted at its release: torque of the delivery wire.
@@ -24,7 +33,7 @@ constexpr double start_distance = 2.5e-3;
 Effect axial_twist_effect()
 {
     const auto parameters = [](const EffectSetting& setting) {
-        EffectParameter half_width = normal_parameter("half_width", "mm", 2.5e-3, 1e-3, 2e-3, 6e-3);
+        EffectParameter half_width = normal_parameter("half_width", "mm", 2e-3, 1e-3, 1e-3, 6e-3);
         half_width.step = 0.2e-3;
         return std::vector<EffectParameter>{
             normal_parameter("angle", "deg", 0.0, 100.0 * degree, 0.0, 180.0 * degree),
@@ -44,7 +53,8 @@ Effect axial_twist_effect()
     const auto apply = [](const EffectSetting& setting, const std::vector<double>& x) {
         Model model = setting.base;
         if (x[0] == 0.0) return model;
-        model.schedule.twists.push_back({.angle = x[0], .centre = x[1], .half_width = x[2]});
+        const double angle = std::min(x[0], steepest_angle(model.device, x[2]));
+        model.schedule.twists.push_back({.angle = angle, .centre = x[1], .half_width = x[2]});
         return model;
     };
     return {"axial_twist", "the device was twisted",

@@ -1,6 +1,8 @@
 #include "discrepancy/explanation.hpp"
 
 #include "discrepancy/implementation_error.hpp"
+#include "discrepancy/laplace_evidence.hpp"
+#include "discrepancy/shape_error.hpp"
 #include "discrepancy/unknown_effect.hpp"
 #include "discrepancy/unknown_scalars.hpp"
 
@@ -14,6 +16,10 @@
 
 namespace braidzone {
 namespace {
+
+/// Of an effect's shape, over its size, where it is weighed: half of what a further effect must
+/// stand against. With as much as that, a waist passed for a pull.
+constexpr double shape_error = 0.1;
 
 std::vector<EffectFit> fit_singles(const DiagnosisProblem& problem, const Whitening& whitening,
                                    const Eigen::VectorXd& base, const ExplainOptions& options)
@@ -67,6 +73,7 @@ std::vector<NamedEvidence> weigh(const DiagnosisProblem& problem, const Explanat
             evidence.effects.push_back(effect.name);
         evidence.log_evidence = fit.log_evidence;
         evidence.log_prior = -others * static_cast<double>(fit.effects.size() - 1);
+        if (options.doubts_shapes) evidence.unknown_price = options.search.least_gain + others;
         evidence.log_evidence_unknown =
             UnknownEffect(problem, whitening).log_evidence(whitening(fit.residuals));
         evidence.log_evidence_scalars = unknown_scalars_evidence(problem, fit.residuals);
@@ -94,6 +101,15 @@ Explanation explain(const DiagnosisProblem& problem, const ExplainOptions& optio
 
     explanation.fits = fit_singles(problem, whitening, base, options);
     explanation.num_singles = explanation.fits.size();
+    if (options.doubts_shapes) {
+        tbb::parallel_for(std::size_t{0}, explanation.num_singles, [&](std::size_t i) {
+            EffectFit& fit = explanation.fits[i];
+            if (!fit.failure.empty()) return;
+            fit.log_evidence =
+                log_of_mean({fit.log_evidence, evidence_with_shape_error(problem, whitening, base,
+                                                                         fit, shape_error)});
+        });
+    }
     const VerdictOptions bars = for_choice_among(explanation.num_singles, options.verdict);
     for (std::size_t i = 0; i < explanation.num_singles; ++i) {
         explanation.limits.push_back(detection_limit(

@@ -9,7 +9,8 @@ namespace {
 
 double score(const NamedEvidence& named)
 {
-    return named.log_evidence + std::max(named.log_evidence_unknown, 0.0) + named.log_prior;
+    return named.log_evidence + named.log_prior +
+           std::max(named.log_evidence_unknown - named.unknown_price, 0.0);
 }
 
 /// True if the other answer has all effects of one, and more.

@@ -14,7 +14,8 @@ struct NamedEvidence {
     double log_evidence_unknown = 0.0;  ///< of an unknown effect besides, against the named alone
     double log_evidence_scalars = 0.0;  ///< the same of scalars off by something unknown
     std::size_t fit = 0;                ///< index of its fit
-    double log_prior = 0.0;  ///< of several effects against one, for the choice among many
+    double log_prior = 0.0;      ///< of several effects against one, for the choice among many
+    double unknown_price = 0.0;  ///< what an unknown effect besides must gain to count
 };
 
 /// Bars of the decision.
@@ -64,7 +65,7 @@ struct Verdict {
 /// Decides between no effect, the known effects (each alone, and sets of them), an unknown effect,
 /// and known with unknown ones.
 ///
-///     score_k = ln B_k + max(ln B_(U|k), 0) + ln prior_k,
+///     score_k = ln B_k + max(ln B_(U|k) - price, 0) + ln prior_k,
 ///     margin = max_k score_k - max(ln B_U, 0)
 ///
 /// Nothing is missing if the best ln B_k, ln B_U and that of scalars that are off by something
