@@ -68,6 +68,7 @@ TEST(BlindScore, CountsSingleEffects)
     EXPECT_EQ(blooming.first.of, 3);
     EXPECT_EQ(blooming.first_of_named.of, 2);
     EXPECT_EQ(blooming.in_set.count, 2);
+    EXPECT_EQ(blooming.among_names.count, 2);
     EXPECT_EQ(blooming.covered.count, 1);  // 1.6 standard deviations off
     EXPECT_EQ(blooming.covered.of, 1);
     EXPECT_THAT(blooming.rms_oracle, testing::ElementsAre(0.04e-3));
@@ -115,6 +116,24 @@ TEST(BlindScore, CountsPairs)
     EXPECT_EQ(score.pairs.one.count, 2);
     EXPECT_EQ(score.pairs.wrong.count, 1);
     EXPECT_EQ(score.pairs.one.of, 4);
+}
+
+TEST(BlindScore, CountsPairsThatShowBesides)
+{
+    const CaseTruth pair{"pair", {{"local_push"}, {"blooming"}}};
+    const CaseTruth hardly{"pair", {{"braid_ratio"}, {"blooming"}}};
+    const Score score =
+        score_of({{pair, names({{"blooming", "local_push"}})}, {hardly, names({{"blooming"}})}});
+    EXPECT_EQ(score.pairs.both.of, 2);
+    EXPECT_EQ(score.pairs_that_show.both.count, 1);
+    EXPECT_EQ(score.pairs_that_show.both.of, 1);
+}
+
+TEST(BlindScore, CountsASingleEffectThatIsNamedWithAnother)
+{
+    const Score score = score_of({{single("blooming"), names({{"blooming", "registration"}})}});
+    EXPECT_EQ(score.all_singles.in_set.count, 0);
+    EXPECT_EQ(score.all_singles.among_names.count, 1);
 }
 
 TEST(BlindScore, FallsToChanceWithShuffledLabels)

@@ -46,10 +46,32 @@ TEST(Decide, FindsNothingMissingBelowTheBars)
 TEST(Decide, NamesTheOneThatStandsOut)
 {
     const Verdict verdict =
-        decide({one("blooming", 5.0, 0.0, 0.0), one("local_push", 40.0, 1.0, 0.0)}, 20.0);
+        decide({one("blooming", 5.0, 0.0, 0.0), one("local_push", 40.0, -1.0, -1.0)}, 20.0);
     EXPECT_EQ(verdict.finding, Finding::named);
     EXPECT_THAT(names(verdict), ElementsAre("local_push"));
     EXPECT_FALSE(verdict.has_unexplained_rest);
+}
+
+// 32 - 2.6 for two effects is less than 31 for one.
+TEST(Decide, ChargesForFurtherEffects)
+{
+    NamedEvidence two = one("local_push", 32.0, 0.0, 0.0);
+    two.effects.emplace_back("blooming");
+    two.log_prior = -2.6;
+    EXPECT_THAT(names(decide({two, one("vessel_offset", 31.0, 0.0, 0.0)}, 5.0)),
+                ElementsAre("vessel_offset", "local_push+blooming"));
+}
+
+// 20 + 10 - 5.6 with an unknown effect besides is less than 28 without one.
+TEST(Decide, ChargesForAnUnknownEffectBesides)
+{
+    NamedEvidence with_unknown = one("local_pull", 20.0, 10.0, 0.0);
+    with_unknown.unknown_price = 5.6;
+    EXPECT_THAT(names(decide({with_unknown, one("axial_twist", 28.0, 0.0, 0.0)}, 5.0)),
+                ElementsAre("axial_twist"));
+    with_unknown.unknown_price = 0.0;
+    EXPECT_THAT(names(decide({with_unknown, one("axial_twist", 28.0, 0.0, 0.0)}, 5.0)),
+                ElementsAre("local_pull", "axial_twist"));
 }
 
 TEST(Decide, GivesASetWithinABayesFactorOfTwenty)

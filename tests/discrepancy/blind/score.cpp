@@ -39,6 +39,15 @@ bool in_any_set(const Names& truth, const Answer& answer)
                        [&](const auto& set) { return Names(set.begin(), set.end()) == truth; });
 }
 
+/// True if the printed names hold the truth, maybe with others beside it.
+bool among_names(const Names& truth, const Answer& answer)
+{
+    return std::any_of(answer.sets.begin(), answer.sets.end(), [&](const auto& set) {
+        const Names names(set.begin(), set.end());
+        return std::includes(names.begin(), names.end(), truth.begin(), truth.end());
+    });
+}
+
 /// Location and intervals of an effect that was rightly named.
 void add_parameters(const hidden::HiddenEffect& truth, const Answer& answer, SingleScore& score)
 {
@@ -65,6 +74,7 @@ void add_single(const ScoredCase& one, SingleScore& score)
     const bool is_right = first_names(answer) == truth;
     score.first.add(is_right);
     score.in_set.add(in_any_set(truth, answer));
+    score.among_names.add(among_names(truth, answer));
     if (!answer.sets.empty()) score.first_of_named.add(is_right);
     if (is_right) add_parameters(effect, answer, score);
     const auto oracle = answer.fits.find(effect.name);
@@ -206,6 +216,7 @@ Score score_of(const std::vector<ScoredCase>& cases)
         if (one.answer.finding == "error") ++score.errors;
         if (truth.kind == "pair") {
             add_pair(one, score.pairs);
+            if (!names_of(truth).contains("braid_ratio")) add_pair(one, score.pairs_that_show);
             continue;
         }
         ++score.confusion[label_of(truth)][first_answer(one.answer)];
@@ -248,18 +259,21 @@ std::string score_text(const Score& score)
     const SingleScore& all = score.all_singles;
     text += fmt::format(
         "\n| rate | of cases (95 % bounds) |\n|---|---|\n| detected | {} |\n| right name first, of "
-        "detected | {} |\n| truth in a printed set, of detected | {} |\n| parameters in their 90 % "
+        "detected | {} |\n| truth in a printed set, of detected | {} |\n| truth among the printed "
+        "names, of detected | {} |\n| parameters in their 90 % "
         "intervals | {} |\n| false alarms without an effect | {} |\n| outside the catalogue: a "
         "name without a flag | {} |\n",
         rate_text(all.detected), rate_text(all.first), rate_text(all.in_set),
-        rate_text(all.covered), rate_text(score.false_alarm), rate_text(score.wrong_without_flag));
+        rate_text(all.among_names), rate_text(all.covered), rate_text(score.false_alarm),
+        rate_text(score.wrong_without_flag));
     for (const auto& [kind, rate] : score.wrong_without_flag_by_kind)
         text += fmt::format("| - {} | {} |\n", kind, rate_text(rate));
     text += fmt::format(
         "| pairs: both and nothing else | {} |\n| pairs: at least one, none wrong | {} |\n| pairs: "
-        "something wrong | {} |\n| failed to answer | {} |\n",
+        "something wrong | {} |\n| pairs without braid_ratio: both and nothing else | {} |\n| - at "
+        "least one, none wrong | {} |\n| failed to answer | {} |\n",
         rate_text(score.pairs.both), rate_text(score.pairs.one), rate_text(score.pairs.wrong),
-        score.errors);
+        rate_text(score.pairs_that_show.both), rate_text(score.pairs_that_show.one), score.errors);
     text += "\n## Confusion matrix: truth down, first answer across\n\n" +
             confusion_text(score.confusion, false);
     text += "\n## Inversion matrix: share of the truths behind each first answer\n\n" +

@@ -46,6 +46,7 @@ struct SingleScore {
     Rate first;                           ///< right name first, among the detected
     Rate first_of_named;                  ///< the same, among those that got a name
     Rate in_set;                          ///< truth among the alternatives, among the detected
+    Rate among_names;                     ///< the same, alone or with another effect beside it
     std::vector<double> location_errors;  ///< of rightly named effects with a centre [m]
     Rate covered;  ///< parameters within 90 % intervals, mean +- 1.645 sd, of rightly named effects
     std::vector<double> rms_before, rms_after, rms_oracle;  ///< of the detected [m]
@@ -65,6 +66,7 @@ struct Score {
     Rate wrong_without_flag;  ///< of cases outside the catalogue: a name, no unexplained rest
     std::map<std::string, Rate> wrong_without_flag_by_kind;
     PairScore pairs;
+    PairScore pairs_that_show;  ///< those without braid_ratio, which alone is never seen
     /// Counts by truth and first answer, of all but pairs.
     std::map<std::string, std::map<std::string, int>> confusion;
     int errors = 0;
