@@ -122,6 +122,8 @@ ExplainOptions surface_options()
     return options;
 }
 
+DiagnoseOptions::DiagnoseOptions() : explain(surface_options()) {}
+
 bool Diagnosis::leaves_doubt() const
 {
     const Verdict& verdict = explanation.verdict;

@@ -23,8 +23,10 @@ struct DiagnoseOptions {
     NoiseFloor floor;
     PatchOptions patches;
     ClusterOptions clusters;
-    ExplainOptions explain = surface_options();
+    ExplainOptions explain;            ///< `surface_options`
     ResidualMemory* memory = nullptr;  ///< of deployments that an interrupted diagnosis made
+
+    DiagnoseOptions();
 };
 
 /// Shares of a cluster's area in parts of the device.

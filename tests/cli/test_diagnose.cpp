@@ -362,8 +362,13 @@ TEST(EffectCase, HoldsEveryEffectInItsOwnKeys)
         const Model model = effect.apply(setting, fitted.values);
         const auto changes = changed_keys(job, case_of(job, model));
         ASSERT_FALSE(changes.empty()) << effect.name;
-        for (const std::string& change : changes)
-            EXPECT_TRUE(change.starts_with(key.at(effect.name))) << effect.name << ": " << change;
+        for (const std::string& change : changes) {
+            // A braid that slides may end elsewhere, too.
+            const bool is_landing =
+                effect.name == "sliding" && change.starts_with("deployment.landing_distal: ");
+            EXPECT_TRUE(is_landing || change.starts_with(key.at(effect.name)))
+                << effect.name << ": " << change;
+        }
         const Case back = read_case(
             folder.write(effect.name + ".toml", effect_case_text(job, model, fit, "measured.csv")));
         EXPECT_THAT(changed_keys(case_of(job, model), back), testing::IsEmpty()) << effect.name;

@@ -31,7 +31,8 @@ ScoredCase scored_case(const std::string& kind, const std::string& effect, std::
     const hidden::HiddenCase made = hidden::random_case(effects, seed);
     const CaseData data{believed_model(made.belief), believed_lumen(made.belief.phantom),
                         made.scan.points, made.scan.ends};
-    return {{kind, made.effects}, answer_to(data, catalogue_of(catalogue), {})};
+    const DiagnoseOptions options;
+    return {{kind, made.effects}, answer_to(data, catalogue_of(catalogue), options)};
 }
 
 }  // namespace

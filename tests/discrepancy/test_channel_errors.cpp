@@ -91,7 +91,7 @@ TEST(ImplementationError, ReachesDensityAndForce)
     Eigen::VectorXd change = Eigen::VectorXd::Zero(10);
     change.tail(4) << 2e-3, 10e6, -5e6, 0.3;
     const Eigen::MatrixXd more =
-        with_implementation_error(problem, change, 0.2) - problem.covariance;
+        with_implementation_error(problem, {}, change, 0.2) - problem.covariance;
     EXPECT_EQ(more(6, 6), 0.0);
     EXPECT_NEAR(more(7, 7), 2e6 * 2e6, 1.0);
     EXPECT_NEAR(more(7, 8), 2e6 * 1e6 * std::exp(-1.0 / 3.6), 1e6);

@@ -192,9 +192,10 @@ TEST(Diagnose, CannotTellAPushWhereTheWallHoldsTheWholeDevice)
     tube.phantom.sacs.clear();
     hidden::HiddenStory story = hidden::story_of(tube);
     hidden::add_stretch(story.scene, {.centre = 15e-3, .half_width = 1.8e-3, .change = -0.66});
+    const DiagnoseOptions options;
     const Diagnosis found =
         diagnose(blind::believed_model(tube), blind::believed_lumen(tube.phantom),
-                 scan_of(story, 6).points, {}, catalogue_of({"local_push"}), {});
+                 scan_of(story, 6).points, {}, catalogue_of({"local_push"}), options);
     EXPECT_EQ(found.explanation.verdict.finding, Finding::nothing_missing);
     const auto& limit = found.explanation.limits.front();
     EXPECT_TRUE(!limit || limit->amplitude > 0.66);
