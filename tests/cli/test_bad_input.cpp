@@ -641,7 +641,7 @@ TEST(BadCommandLine, EndsWithStatus2)
         {{"diagnose", "case.toml"},
          "takes one of --measured, --force-curve and --pressure-drop; 0 are given"},
         {{"diagnose", "case.toml", "--separability", "--measured", "m.csv"},
-         "before there is one; leave --measured and --scalars out"},
+         "leave --measured, --scalars and --density-map out"},
         {{"stent", "case.toml"}, "stent"},
         {{"run"}, "CASE is required"},
         {{"run", "case.toml", "--colour"}, "--colour"},
