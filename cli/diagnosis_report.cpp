@@ -88,8 +88,12 @@ std::string gap_line(const char* name, const GapComparison& gaps, bool has_effec
 
 Json held_out_as_json(const Diagnosis& diagnosis, bool has_effect)
 {
-    Json json = gaps_as_json(diagnosis.gap_held_out, has_effect);
-    if (has_effect) json["closure"] = closure(diagnosis.gap_held_out);
+    // Where the gap was hardly above the floor, a share of what was above it says nothing.
+    constexpr double clearly_above = 1.1;
+    const GapComparison& gap = diagnosis.gap_held_out;
+    Json json = gaps_as_json(gap, has_effect);
+    if (has_effect && gap.before.rms > clearly_above * gap.floor.rms)
+        json["closure"] = closure(gap);
     return json;
 }
 
