@@ -2,6 +2,7 @@
 
 find_package(Eigen3 3.4 REQUIRED)
 find_package(fmt 9 REQUIRED)
+set(BLA_VENDOR OpenBLAS)
 find_package(LAPACK REQUIRED)
 find_package(Ceres 2.1 REQUIRED)
 find_package(TBB REQUIRED)

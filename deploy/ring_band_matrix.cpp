@@ -1,6 +1,7 @@
 #include "deploy/ring_band_matrix.hpp"
 
 #include <cassert>
+#include <mutex>
 
 namespace braidzone {
 
@@ -8,9 +9,11 @@ namespace {
 
 constexpr int rings_per_block = 2;  // the reach of the coupling
 
-// LAPACK and BLAS on square blocks, by column: several times as fast as Eigen's own products, which
-// are compiled for the oldest processor.
+// OpenBLAS on square blocks, by column: several times as fast as Eigen's own products, which are
+// compiled for the oldest processor.
 extern "C" {
+void openblas_set_num_threads(int count);
+int openblas_get_parallel();
 void dpotrf_(const char* triangle, const int* size, double* a, const int* stride, int* info);
 void dtrsm_(const char* side, const char* triangle, const char* transposed, const char* diagonal,
             const int* rows, const int* columns, const double* factor, const double* a,
@@ -18,6 +21,20 @@ void dtrsm_(const char* side, const char* triangle, const char* transposed, cons
 void dsyrk_(const char* triangle, const char* transposed, const int* size, const int* inner,
             const double* factor, const double* a, const int* a_stride, const double* c_factor,
             double* c, const int* c_stride);
+}
+
+/// Held while a matrix is solved: OpenBLAS's build without threads has no locks about its work
+/// space either, and two callers at once would spoil each other's numbers. Its builds with threads
+/// need no turns; they are held to one thread each, as blocks are too small to share and sums must
+/// not depend on how they are shared.
+std::unique_lock<std::mutex> turn()
+{
+    static std::mutex one_caller;
+    static const bool has_locks = [] {
+        openblas_set_num_threads(1);
+        return openblas_get_parallel() != 0;
+    }();
+    return has_locks ? std::unique_lock<std::mutex>() : std::unique_lock(one_caller);
 }
 
 /// Replaces the lower triangle by its Cholesky factor; false if the block is not positive definite.
@@ -89,6 +106,7 @@ void RingBandMatrix::add(int first, int second, const Eigen::Matrix3d& block)
 
 bool RingBandMatrix::solve(std::vector<Vec3>& right_side)
 {
+    const auto held = turn();
     const int size = 3 * nodes_per_block_;
     const std::size_t num_blocks = diagonal_.size();
     Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(num_blocks) * size);

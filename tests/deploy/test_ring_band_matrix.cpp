@@ -3,7 +3,9 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <random>
+#include <thread>
 
 namespace braidzone {
 
@@ -76,6 +78,27 @@ TEST(RingBandMatrix, RefusesAMatrixThatIsNotPositiveDefinite)
         matrix.add(node, node, (node == 7 ? -1.0 : 1.0) * Eigen::Matrix3d::Identity());
     std::vector<Vec3> x(12, Vec3::Ones());
     EXPECT_FALSE(matrix.solve(x));
+}
+
+// As presses of a table and deployments of a diagnosis are.
+TEST(RingBandMatrix, SolvesTheSameBesideOthers)
+{
+    const Sample sample = random_sample(6, 8);
+    Sample alone = sample;
+    ASSERT_TRUE(alone.band.solve(alone.right_side));
+    std::atomic<int> others = 0;
+    const auto solve_often = [&] {
+        for (int i = 0; i < 2000; ++i) {
+            Sample again = sample;
+            if (!again.band.solve(again.right_side) || again.right_side != alone.right_side)
+                ++others;
+        }
+    };
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < 4; ++i)
+        threads.emplace_back(solve_often);
+    threads.clear();
+    EXPECT_EQ(others, 0);
 }
 
 TEST(RingBandMatrix, CanBeFilledAgain)
