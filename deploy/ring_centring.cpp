@@ -1,6 +1,7 @@
 #include "deploy/ring_centring.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -16,48 +17,73 @@ constexpr double station_spacing_ratio = 0.125;
 constexpr double smoothing_ratio = 0.5;
 /// Reach over the inscribed radius, see the header.
 constexpr double reach_ratio = 1.1;
+/// How far walls are looked for, over the reach: more than the reach and the way of a hub.
+constexpr double sight_ratio = 2.0;
 /// The middle is found to within this fraction of the nominal radius: 0.02 um for 4 mm.
 constexpr double tolerance_ratio = 1e-5;
-constexpr int most_iterations = 50;
+constexpr int most_iterations = 500;
 
-/// Twice the mean of min(wall distance, reach) e over the directions around a hub: to first order,
-/// the way from the hub to the middle of a circle [m].
-Vec2 way_to_middle(const CrossSection& section, const Vec2& shift, const WallTree& wall,
-                   double reach)
+using Directions = std::array<Vec2, num_directions>;
+using Distances = std::array<double, num_directions>;
+
+Directions directions_around()
 {
-    const Vec3 hub = section.origin + shift[0] * section.normal + shift[1] * section.binormal;
-    Vec2 sum = Vec2::Zero();
-    for (int i = 0; i < num_directions; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / num_directions;
-        const Vec2 direction(std::cos(angle), std::sin(angle));
-        const Vec3 ray = direction[0] * section.normal + direction[1] * section.binormal;
-        const std::optional<WallHit> hit = wall.first_hit(hub, hub + reach * ray);
-        sum += (hit ? hit->fraction : 1.0) * reach * direction;
+    Directions all;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / num_directions;
+        all[i] = Vec2(std::cos(angle), std::sin(angle));
     }
-    return 2.0 / num_directions * sum;
+    return all;
 }
 
-/// In-plane shift from the centerline to the middle [m], in the section's normal and binormal: the
-/// fixed point of shift + way, with Anderson's acceleration of depth one (Walker and Ni 2011, doi
-/// 10.1137/10078356X), as plain steps close on it by a seventh each in front of a neck. A way that
-/// has become longer starts it anew.
-Vec2 centring_shift(const CrossSection& section, const WallTree& wall, double nominal_radius)
+/// Distances of the wall from the centerline [m]; `sight` where there is none nearer.
+Distances wall_distances(const CrossSection& section, const WallTree& wall,
+                         const Directions& directions, double sight)
 {
-    const double reach = std::min(nominal_radius, reach_ratio * section.inscribed_radius);
-    Vec2 shift = Vec2::Zero(), last_shift = shift;
-    Vec2 way = way_to_middle(section, shift, wall, reach), last_way = way;
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
-        if (way.norm() < tolerance_ratio * nominal_radius) break;
+    Distances distances;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const Vec3 ray = directions[i][0] * section.normal + directions[i][1] * section.binormal;
+        const std::optional<WallHit> hit =
+            wall.first_hit(section.origin, section.origin + sight * ray);
+        distances[i] = (hit ? hit->fraction : 1.0) * sight;
+    }
+    return distances;
+}
+
+/// The middle d = 2 <min(w, reach + d . e) e>, w the wall's distances, e the directions. It is a
+/// fixed point found with Anderson's acceleration of depth one (Walker and Ni 2011, doi
+/// 10.1137/10078356X), as plain steps close on it slowly where few directions end on the wall. A
+/// way that has become longer starts it anew.
+Vec2 middle_of(const Distances& walls, const Directions& directions, double reach, double tolerance)
+{
+    const auto way_from = [&](const Vec2& middle) {
+        Vec2 sum = Vec2::Zero();
+        for (std::size_t i = 0; i < walls.size(); ++i)
+            sum += std::min(walls[i], reach + middle.dot(directions[i])) * directions[i];
+        return Vec2(2.0 / num_directions * sum - middle);
+    };
+    Vec2 middle = Vec2::Zero(), last_middle = middle;
+    Vec2 way = way_from(middle), last_way = way;
+    for (int iteration = 0; iteration < most_iterations && way.norm() >= tolerance; ++iteration) {
         const Vec2 change = way - last_way;
         const bool accelerates = iteration > 0 && way.norm() < last_way.norm();
         const double share = accelerates ? way.dot(change) / change.squaredNorm() : 0.0;
-        const Vec2 next = shift + way - share * (shift - last_shift + change);
-        last_shift = shift;
+        const Vec2 next = middle + way - share * (middle - last_middle + change);
+        last_middle = middle;
         last_way = way;
-        shift = next;
-        way = way_to_middle(section, shift, wall, reach);
+        middle = next;
+        way = way_from(middle);
     }
-    return shift;
+    return middle;
+}
+
+/// In-plane shift from the centerline to the middle [m], in the section's normal and binormal.
+Vec2 centring_shift(const CrossSection& section, const WallTree& wall, double nominal_radius)
+{
+    static const Directions directions = directions_around();
+    const double reach = std::min(nominal_radius, reach_ratio * section.inscribed_radius);
+    return middle_of(wall_distances(section, wall, directions, sight_ratio * reach), directions,
+                     reach, tolerance_ratio * nominal_radius);
 }
 
 }  // namespace

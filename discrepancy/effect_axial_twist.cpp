@@ -60,7 +60,7 @@ Effect axial_twist_effect()
     return {"axial_twist", "the device was twisted",
             true,          "a map of the braid angle, or a projection that shows single wires",
             parameters,    starts,
-            apply,         3.0};
+            apply,         3.5};
 }
 
 }  // namespace braidzone

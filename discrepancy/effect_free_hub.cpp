@@ -26,7 +26,7 @@ Effect free_hub_effect()
     return {"free_hub", "the rings have shifted into the neck",
             true,       "a map of the braid angle around the device in front of the neck",
             parameters, starts,
-            apply,      1.5};
+            apply,      1.7};
 }
 
 }  // namespace braidzone

@@ -25,7 +25,8 @@ Effect landing_offset_effect()
             "the positions of the end markers",
             parameters,
             starts,
-            apply};
+            apply,
+            1.4};
 }
 
 }  // namespace braidzone

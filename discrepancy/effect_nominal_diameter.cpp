@@ -27,7 +27,7 @@ Effect nominal_diameter_effect()
             parameters,
             starts,
             apply,
-            3.0};
+            3.8};
 }
 
 }  // namespace braidzone

@@ -37,7 +37,7 @@ Effect registration_effect()
     return {"registration", "the scan is misplaced",
             false,          "fiducials or a landmark seen in both scans",
             parameters,     starts,
-            apply,          2.5};
+            apply,          1.5};
 }
 
 }  // namespace braidzone

@@ -67,14 +67,13 @@ ErrorModel make_error_model(const Observations& observations, const NoiseFloor& 
         square(floor.background_sd) *
         (-patch_distances(observations.field).array() / floor.background_length).exp();
     model.background.topLeftCorner(n, n).array() += square(floor.offset_sd);
-    Vec3 middle = Vec3::Zero();
     for (const Patch& patch : patches)
-        middle += patch.centre / static_cast<double>(n);
+        model.middle += patch.centre / static_cast<double>(n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const Patch& patch = patches[static_cast<std::size_t>(i)];
         model.white[i] = floor.white_scale * variance_of_gap(patch);
         model.motion.row(i).head<3>() = patch.normal;
-        model.motion.row(i).tail<3>() = (patch.centre - middle).cross(patch.normal);
+        model.motion.row(i).tail<3>() = (patch.centre - model.middle).cross(patch.normal);
     }
 
     const Eigen::Matrix3d ends = end_background(floor);

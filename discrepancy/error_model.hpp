@@ -16,7 +16,8 @@ namespace braidzone {
 ///     G = [n, (x - x0) x n]                     what a small motion of the scan does to a patch
 ///
 /// The registration is marginalised: a misplacement of the scan as large as its prior Lambda
-/// explains costs nothing, and none is subtracted beforehand. The lengths have a block of their
+/// explains costs nothing, and none is subtracted beforehand (what is not linear in it:
+/// `registered_residuals.hpp`). The lengths have a block of their
 /// own: their own variance, the landing's, common to both ends, and the length's. So have densities
 /// and force (`channel_errors.hpp`).
 struct ErrorModel {
@@ -24,6 +25,7 @@ struct ErrorModel {
     Eigen::MatrixXd background;       ///< B and the offset; of the lengths, landing and length
     Eigen::MatrixXd motion;           ///< G; 0 but for patches; columns: shift, rotation
     Eigen::VectorXd motion_variance;  ///< diagonal of Lambda
+    Vec3 middle = Vec3::Zero();       ///< x0: of the patches' centres [m]
     Eigen::Index num_patches = 0;
 
     Eigen::MatrixXd without_registration() const;  ///< W + B + o^2 1 1'

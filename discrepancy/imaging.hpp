@@ -22,4 +22,9 @@ struct Imaging {
 /// A point of the scan in the vessel's frame:  p' = R (p - pivot) + pivot + shift  [m].
 Vec3 in_vessel_frame(const Imaging& imaging, const Vec3& point);
 
+/// The same with the scan moved on, in the vessel's frame: a turn about `middle` by the length of
+/// `rotation` [rad] about its direction, then `shift` [m].
+Imaging moved_on(const Imaging& imaging, const Vec3& shift, const Vec3& rotation,
+                 const Vec3& middle);
+
 }  // namespace braidzone

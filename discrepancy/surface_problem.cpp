@@ -1,6 +1,7 @@
 #include "discrepancy/surface_problem.hpp"
 
 #include "discrepancy/channel_errors.hpp"
+#include "discrepancy/registered_residuals.hpp"
 
 #include <algorithm>
 
@@ -23,15 +24,16 @@ DiagnosisProblem surface_problem(const SurfaceData& data, const std::vector<Effe
                                       effect.starts(data.setting), effect.changes_deployment,
                                       effect.separated_by, effect.interval_factor});
     }
-    problem.residuals = [data, catalogue](const std::vector<ActiveEffect>& effects) {
+    const RegisteredResiduals residuals_of(data.observations, data.error, data.base,
+                                           data.setting.base.imaging);
+    problem.residuals = [data, residuals_of, catalogue](const std::vector<ActiveEffect>& effects) {
         const Model model = model_with(catalogue, data.setting, effects);
         const bool must_deploy =
             std::any_of(effects.begin(), effects.end(), [&](const ActiveEffect& effect) {
                 return catalogue[effect.candidate].changes_deployment;
             });
-        const DeviceSurface& base = data.base.surface;
-        if (!must_deploy) return residuals(data.observations, data.base, model.imaging, base);
-        return residuals(data.observations, simulate(model, data.lumen), model.imaging, base);
+        if (!must_deploy) return residuals_of(data.base, model.imaging);
+        return residuals_of(simulate(model, data.lumen), model.imaging);
     };
     problem.covariance = data.error.covariance();
     problem.nuisance =

@@ -25,9 +25,9 @@ Model model_with(const std::vector<Effect>& catalogue, const EffectSetting& sett
                  const std::vector<ActiveEffect>& effects);
 
 /// A measured device surface as the search for a missing effect sees it: residuals are gaps of
-/// patches [m], then end positions and length [m], densities and the force
-/// on the wall [N] (`residuals` in observations.hpp); an effect is tried by deploying the device
-/// anew.
+/// patches [m], then end positions and length [m], densities and the force on the wall [N], with
+/// the scan's registration where it is most probable (`registered_residuals.hpp`); an effect is
+/// tried by deploying the device anew.
 ///
 /// The unknown effect is a smooth gap over the device of 0.04, 0.08, 0.16 or 0.32 mm and 1, 2 or
 /// 4 mm; ends and length may be off by 1 or 4 mm, densities by 10 or 40 %, the force by 20 or 80 %.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace braidzone {
 
@@ -28,7 +29,48 @@ std::vector<CrossSection> rings_at(double nominal_radius)
     return centred_rings(centerline_beside_the_axis(), wall, {9e-3, 7.5e-3, 4e-3}, nominal_radius);
 }
 
+/// Distance from the axis of a ring in a tube of which the wall is missing, 4 mm to both sides
+/// along it, for an angle `open` to both sides of one direction.
+double way_into_opening(double radius, double open, double nominal_radius)
+{
+    TriangleMesh mesh = test::tube(radius, tube_length, 192, 60);
+    std::erase_if(mesh.triangles, [&](const auto& triangle) {
+        Vec3 middle = Vec3::Zero();
+        for (const int point : triangle)
+            middle += mesh.points[static_cast<std::size_t>(point)] / 3.0;
+        return std::abs(std::atan2(middle.y(), middle.x())) < open &&
+               std::abs(middle.z() - 0.5 * tube_length) < 4e-3;
+    });
+    const WallTree wall(make_vessel(mesh, LengthUnit{"mm", 1e-3}));
+    const auto rings = centred_rings(test::tube_centerline(radius, tube_length), wall,
+                                     {8e-3, 6e-3, 4e-3}, nominal_radius);
+    return std::hypot(rings[1].origin.x(), rings[1].origin.y());
+}
+
 }  // namespace
+
+// With the wall at r but for an angle a to both sides, d = 2 (R - r) sin a / (pi - a - sin a cos
+// a), less than R - r here: the ring stays in touch with the wall behind it.
+TEST(CentredRings, LieTowardsAnOpeningByTheBalanceOfTheirSprings)
+{
+    const double a = 41.25 * std::numbers::pi / 180.0;
+    const double expected =
+        2.0 * 0.1e-3 * std::sin(a) / (std::numbers::pi - a - std::sin(a) * std::cos(a));
+    EXPECT_NEAR(way_into_opening(1.85e-3, a, 1.95e-3), expected, 0.01 * expected);
+}
+
+// Nearly half of the wall is missing. With w = r on the wall the balance is homogeneous in R - r
+// and d: no radius of the vessel at which the ring leaves it all of a sudden.
+TEST(CentredRings, MoveSteadilyAsAnOpenTubeNarrows)
+{
+    const double a = 86.25 * std::numbers::pi / 180.0;
+    const double first = way_into_opening(1.95e-3, a, 2e-3);
+    EXPECT_GT(first, 0.05e-3);
+    for (const double radius : {1.92e-3, 1.9e-3, 1.88e-3, 1.86e-3, 1.84e-3}) {
+        const double expected = (2e-3 - radius) / 0.05e-3 * first;
+        EXPECT_NEAR(way_into_opening(radius, a, 2e-3), expected, 0.01 * expected) << radius;
+    }
+}
 
 // The reach, 1.1 times the inscribed radius of 1.62 mm, is just short of the 1.8 mm of the tube: a
 // ring stops where no wall is within it any more on one side only, less than 0.02 mm from the axis.

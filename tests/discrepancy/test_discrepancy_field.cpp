@@ -150,6 +150,17 @@ TEST(Imaging, MovesTheScanAboutItsPivot)
     EXPECT_EQ(in_vessel_frame(Imaging{}, Vec3(1, 2, 3)), Vec3(1, 2, 3));
 }
 
+// A quarter turn about z through (1, 0, 0) after one about x: (1, 2, 3) goes to (1, -3, 2), then to
+// (4, 0, 2), and by the shift to (4, 0, 7).
+TEST(Imaging, MovesOnFromWhereItIs)
+{
+    const double quarter = 0.5 * std::numbers::pi;
+    Imaging imaging;
+    imaging.rotation = Vec3(quarter, 0, 0);
+    const Imaging moved = moved_on(imaging, Vec3(0, 0, 5), Vec3(0, 0, quarter), Vec3(1, 0, 0));
+    EXPECT_LT((in_vessel_frame(moved, Vec3(1, 2, 3)) - Vec3(4, 0, 7)).norm(), 1e-12);
+}
+
 TEST(Residuals, EndWithTheScalarsThatWereMeasured)
 {
     const Simulation base = straight_simulation(2e-3);
