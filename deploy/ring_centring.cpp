@@ -16,7 +16,7 @@ constexpr int num_directions = 48;
 constexpr double station_spacing_ratio = 0.125;
 constexpr double smoothing_ratio = 0.5;
 /// Reach over the inscribed radius, see the header.
-constexpr double reach_ratio = 1.1;
+constexpr double reach_ratio = 1.2;
 /// How far walls are looked for, over the reach: more than the reach and the way of a hub.
 constexpr double sight_ratio = 2.0;
 /// The middle is found to within this fraction of the nominal radius: 0.02 um for 4 mm.

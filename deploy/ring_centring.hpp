@@ -10,7 +10,7 @@ namespace braidzone {
 /// The cross-sections of the rings, each moved within its plane to the middle of the lumen as the
 /// ring feels it, by
 ///
-///     d = 2 <min(w, reach + d . e) e>,   reach = min(R0, 1.1 r)
+///     d = 2 <min(w, reach + d . e) e>,   reach = min(R0, 1.2 r)
 ///
 /// with <> the mean over the directions e, w the distance of the wall from the centerline and r the
 /// inscribed radius there. At reach = R0 this is the balance of a ring's radial springs to first
@@ -19,8 +19,8 @@ namespace braidzone {
 /// the edges of a wide neck stand further apart, which moves the hub on, until it leaves the vessel
 /// for the sac at one radius of the vessel and not at the next.
 ///
-/// The second limit keeps a ring at a neck near the wall that carries it: what is further off than
-/// the nearest wall by more than a tenth does not draw the ring. A ring with room on all sides
+/// The second limit keeps a ring of a much too large device near the wall that carries it: what is
+/// further off than the nearest wall by more than a fifth does not draw the ring. A ring with room on all sides
 /// stays on the centerline.
 ///
 /// So the place of a device that fits tightly does not hang on how the centerline was made: two

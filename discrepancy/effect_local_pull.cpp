@@ -18,7 +18,7 @@ Effect local_pull_effect()
     return {"local_pull", "the operator pulled",
             true,         "the positions of the end markers, or a map of the wire density",
             parameters,   starts,
-            with_window,  3.0};
+            with_window,  3.5};
 }
 
 }  // namespace braidzone

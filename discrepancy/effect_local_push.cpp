@@ -19,7 +19,7 @@ Effect local_push_effect()
     return {"local_push", "the operator pushed",
             true,         "the positions of the end markers, or a map of the wire density",
             parameters,   starts,
-            with_window,  3.0};
+            with_window,  3.5};
 }
 
 }  // namespace braidzone

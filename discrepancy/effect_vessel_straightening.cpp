@@ -53,7 +53,7 @@ Effect vessel_straightening_effect()
             parameters,
             starts,
             apply,
-            2.8};
+            4.0};
 }
 
 }  // namespace braidzone

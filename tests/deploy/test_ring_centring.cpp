@@ -72,8 +72,8 @@ TEST(CentredRings, MoveSteadilyAsAnOpenTubeNarrows)
     }
 }
 
-// The reach, 1.1 times the inscribed radius of 1.62 mm, is just short of the 1.8 mm of the tube: a
-// ring stops where no wall is within it any more on one side only, less than 0.02 mm from the axis.
+// Of 1.8 mm, about a centerline that lies 0.18 mm beside it: to first order the rings return to it,
+// the next, 0.18^2 / (2 x 1.8) mm, is 9 um.
 TEST(CentredRings, ReturnToTheAxisOfATube)
 {
     for (const CrossSection& ring : rings_at(2e-3)) {

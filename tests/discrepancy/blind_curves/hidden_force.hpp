@@ -51,13 +51,13 @@ struct HiddenForce {
 
 /// Force curves made by press tests of their own: a net of 16 crossings around and a bench whose
 /// sizes are a little off. Nothing is taken from `PressResponse`. There are `num_tests` of them:
-/// three as stated, four with other ratios of radial springs to arms, three with friction.
+/// three as stated, twelve with other ratios of radial springs to arms, twelve with friction.
 /// What else is hidden, and the measurement, differ from case to case.
 class ForceMaker {
 public:
     explicit ForceMaker(unsigned seed) : random_(seed) {}
 
-    static constexpr int num_plain = 3, num_ratios = 4, num_frictions = 3;
+    static constexpr int num_plain = 3, num_ratios = 12, num_frictions = 12;
     static constexpr int num_tests = num_plain + num_ratios + num_frictions;
 
     /// One of the press tests of a run.
@@ -69,7 +69,7 @@ public:
         if (which >= num_plain + num_ratios) {
             test.friction = 0.2 + 0.25 * place;
         } else if (which >= num_plain) {
-            // Two softer, by 0.6 to 0.78, two stiffer, by 1.3 to 1.65.
+            // One softer, by 0.6 to 0.78, the next stiffer, by 1.3 to 1.65.
             test.ratio = which % 2 == 0 ? 0.6 + 0.18 * place : 1.3 + 0.35 * place;
         }
         PressModel truth = stated_press();
