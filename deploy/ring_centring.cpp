@@ -10,8 +10,8 @@ namespace braidzone {
 namespace {
 
 /// Directions in a cross-section: when one of them passes from the wall into a sac, the middle
-/// moves by 2 / 48 of the gap between wall and reach.
-constexpr int num_directions = 48;
+/// moves by 2 / 96 of the gap between wall and reach.
+constexpr int num_directions = 96;
 /// Distance of the stations over the nominal radius: four in a standard deviation of the smoothing.
 constexpr double station_spacing_ratio = 0.125;
 constexpr double smoothing_ratio = 0.5;

@@ -1,6 +1,7 @@
 #include "discrepancy/effect.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -8,9 +9,15 @@ namespace braidzone {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double start_half_width = 2.5e-3;
-/// Between starts [m]: a waist is found from half its width away.
-constexpr double start_distance = 2.5e-3;
+
+/// Where fits begin: such twists all along the device, a half width apart, as a waist is found from
+/// half its width away. A narrow waist is not found from a wide one.
+struct StartShape {
+    double angle;       ///< [rad]
+    double half_width;  ///< [m]
+};
+constexpr std::array<StartShape, 3> start_shapes = {
+    {{100.0 * degree, 2.5e-3}, {150.0 * degree, 2.5e-3}, {75.0 * degree, 1.25e-3}}};
 
 /// The angle over a stretch at which the flatter wires lie at nine tenths of the turn that no braid
 /// reaches: x = t R0 d phi / ds (`axial_twist.hpp`), with 1.5 times the mean slope in the middle.
@@ -40,13 +47,13 @@ Effect axial_twist_effect()
             uniform_parameter("centre", "mm", setting.from, setting.to, 0.2e-3), half_width};
     };
     const auto starts = [](const EffectSetting& setting) {
-        const double first = setting.from + start_half_width, last = setting.to - start_half_width;
-        const int gaps =
-            std::max(1, static_cast<int>(std::lround((last - first) / start_distance)));
         std::vector<std::vector<double>> all;
-        for (const double angle : {100.0 * degree, 150.0 * degree}) {
+        for (const auto& [angle, half_width] : start_shapes) {
+            const double first = setting.from + half_width, last = setting.to - half_width;
+            const int gaps =
+                std::max(1, static_cast<int>(std::lround((last - first) / half_width)));
             for (int i = 0; i <= gaps; ++i)
-                all.push_back({angle, first + (last - first) * i / gaps, start_half_width});
+                all.push_back({angle, first + (last - first) * i / gaps, half_width});
         }
         return all;
     };

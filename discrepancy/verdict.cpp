@@ -56,9 +56,10 @@ Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unkn
         best - unknown < (options.offers_unknown ? options.unknown_margin : options.margin);
     if (beside_unknown) {
         // Those that need no unknown effect to explain about as much.
+        const double lack = std::max(options.margin, options.unknown_share * unknown);
         std::erase_if(ordered, [&](const NamedEvidence& one) {
             return !options.offers_unknown ||
-                   one.log_evidence < std::max(options.effect_bar, unknown - options.margin);
+                   one.log_evidence < std::max(options.effect_bar, unknown - lack);
         });
         if (ordered.empty()) return verdict;
         best = score(ordered.front());

@@ -30,6 +30,9 @@ struct VerdictOptions {
     /// adds as well.
     bool offers_unknown = false;
     double unknown_margin = 3.0;
+    /// Share of an unknown effect's ln B that may be lacking to such a known one: its shape may be
+    /// wrong by as much.
+    double unknown_share = 0.1;
 };
 
 /// The options with ln n more on the bar of a named effect and on `unknown_margin`: the best of n
@@ -74,8 +77,8 @@ struct Verdict {
 /// them: what was added to them was found to be missing. Equal scores keep the given order.
 ///
 /// With `offers_unknown`, where the margin is less than `unknown_margin`, those known effects are
-/// answers beside an unknown one whose own ln B_k reaches its bar and is no more than 3 below ln
-/// B_U.
+/// answers beside an unknown one whose own ln B_k reaches its bar and is no more than 3, or a
+/// tenth, below ln B_U.
 Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unknown,
                double log_evidence_scalars = 0.0, const VerdictOptions& options = {});
 

@@ -161,4 +161,19 @@ TEST(Decide, PutsKnownEffectsBesideAnUnknownOneIfAsked)
     EXPECT_EQ(decide(alone, 14.1, 0.0, options).finding, Finding::unknown);
 }
 
+// A strong effect of which the shape is a little other than its implementation's.
+TEST(Verdict, OffersAKnownEffectThatLacksATenthOfAnUnknownOne)
+{
+    VerdictOptions options;
+    options.offers_unknown = true;
+    NamedEvidence known{.effects = {"cone"}, .log_evidence = 91.0};
+    const Verdict verdict = decide({known}, 100.0, 0.0, options);
+    EXPECT_EQ(verdict.finding, Finding::ambiguous);
+    EXPECT_THAT(names(verdict), ElementsAre("cone"));
+    ASSERT_TRUE(verdict.unknown_lead.has_value());
+    EXPECT_DOUBLE_EQ(*verdict.unknown_lead, 9.0);
+    known.log_evidence = 89.0;
+    EXPECT_EQ(decide({known}, 100.0, 0.0, options).finding, Finding::unknown);
+}
+
 }  // namespace braidzone
