@@ -20,8 +20,8 @@ namespace braidzone {
 /// for the sac at one radius of the vessel and not at the next.
 ///
 /// The second limit keeps a ring of a much too large device near the wall that carries it: what is
-/// further off than the nearest wall by more than a fifth does not draw the ring. A ring with room on all sides
-/// stays on the centerline.
+/// further off than the nearest wall by more than a fifth does not draw the ring. A ring with room
+/// on all sides stays on the centerline.
 ///
 /// So the place of a device that fits tightly does not hang on how the centerline was made: two
 /// centerlines that differ by a tenth of a millimetre give the same rings.
