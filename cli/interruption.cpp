@@ -1,7 +1,12 @@
 #include "cli/interruption.hpp"
 
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
 #include <csignal>
 #include <set>
+#include <stdexcept>
 #include <thread>
 
 namespace braidzone {
@@ -29,17 +34,30 @@ void remove_stubbornly(const std::filesystem::path& path)
     }
 }
 
-void wait_for_signal(sigset_t signals)
+/// Ends of the pipe through which the handler passes a signal on: read, write.
+std::array<int, 2> passage = {-1, -1};
+
+/// On whatever thread the signal arrives, a library's too: write() may be called here.
+void pass_on(int signal)
 {
-    int signal = 0;
-    sigwait(&signals, &signal);
+    const int error = errno;
+    const char number = static_cast<char>(signal);
+    [[maybe_unused]] const auto written = ::write(passage[1], &number, 1);
+    errno = error;
+}
+
+void wait_for_signal()
+{
+    char number = 0;
+    while (::read(passage[0], &number, 1) != 1) {
+    }
+    const int signal = number;
     const std::scoped_lock nothing_is_finished(unfinished().mutex);
     for (const auto& path : unfinished().paths)
         remove_stubbornly(path);
 
     // End by the signal itself, so that the caller sees it.
     std::signal(signal, SIG_DFL);
-    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
     std::raise(signal);
 }
 
@@ -47,12 +65,17 @@ void wait_for_signal(sigset_t signals)
 
 void remove_unfinished_output_on_signal()
 {
-    sigset_t signals;
-    sigemptyset(&signals);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        sigaddset(&signals, signal);
-    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    std::thread(wait_for_signal, signals).detach();
+    if (::pipe(passage.data()) != 0) throw std::runtime_error("no pipe can be opened");
+    std::thread(wait_for_signal).detach();
+    struct sigaction handling = {};
+    handling.sa_handler = pass_on;
+    handling.sa_flags = SA_RESTART;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction before = {};
+        ::sigaction(signal, nullptr, &before);
+        const bool is_nohup = signal == SIGHUP && before.sa_handler == SIG_IGN;
+        if (!is_nohup) ::sigaction(signal, &handling, nullptr);
+    }
 }
 
 UnfinishedOutput::UnfinishedOutput(std::filesystem::path path) : path_(std::move(path))

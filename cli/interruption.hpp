@@ -8,7 +8,8 @@ namespace braidzone {
 /// Makes SIGINT, SIGTERM and SIGHUP remove unfinished output before they end the program.
 ///
 /// A thread of its own waits for them, since nothing that removes folders may be called in a signal
-/// handler. Call it once, before any other thread is started: they inherit the blocked signals.
+/// handler. SIGHUP stays ignored if it is (nohup). Call it once.
+/// @throws std::runtime_error if the system has no pipe left
 void remove_unfinished_output_on_signal();
 
 /// An unfinished file or folder: removed with this object, or by a signal, unless it was finished.
