@@ -16,6 +16,7 @@
 #include "core/file_hash.hpp"
 #include "discrepancy/artefacts.hpp"
 #include "discrepancy/diagnosis.hpp"
+#include "discrepancy/hub_slopes.hpp"
 #include "discrepancy/measured_surface.hpp"
 #include "discrepancy/measurement_check.hpp"
 #include "discrepancy/noise_calibration.hpp"
@@ -114,6 +115,7 @@ void learn_noise_floor(const fs::path& case_file, const DiagnoseCommand& command
         observations.field = make_discrepancy_field(observations.points, model.imaging, base);
         leave_out_artefacts(observations,
                             residuals(observations, base, model.imaging, base.surface), {});
+        set_hub_slopes(observations, model, base, lumen);
         Eigen::VectorXd measured = residuals(observations, base, model.imaging, base.surface);
         sets.push_back({std::move(observations), std::move(measured)});
     }

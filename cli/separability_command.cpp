@@ -9,6 +9,7 @@
 #include "cli/unfinished_work.hpp"
 #include "core/error.hpp"
 #include "discrepancy/diagnosis.hpp"
+#include "discrepancy/hub_slopes.hpp"
 #include "discrepancy/planned_measurement.hpp"
 #include "discrepancy/surface_problem.hpp"
 
@@ -65,7 +66,8 @@ void tell_separability(const std::filesystem::path& case_file, const DiagnoseCom
     progress.begin("separability", doing_with("trying each effect on each other one", memory));
     const Model model = model_of(job, lumen.centerline);
     const Simulation base = simulate(model, lumen);
-    const Observations planned = planned_observations(base, model.imaging);
+    Observations planned = planned_observations(base, model.imaging);
+    set_hub_slopes(planned, model, base, lumen);
     const EffectSetting setting = effect_setting(model, base, planned.points);
     const ErrorModel error = make_error_model(planned, floor);
     const DiagnosisProblem problem = memory.around(

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/level_contour.hpp"
+#include "core/surface_check.hpp"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -225,9 +226,8 @@ TriangleMesh from_cgal(const Mesh& mesh)
     return result;
 }
 
-}  // namespace
-
-TriangleMesh mesh_wall(const PhantomShape& shape, double edge_length)
+/// @param contour_cell  of the grid that the contour is taken from [m]
+TriangleMesh mesh_wall_from(const PhantomShape& shape, double edge_length, double contour_cell)
 {
     Box bounds = shape.parts.front().bounds;
     for (const PhantomPart& part : shape.parts) {
@@ -235,7 +235,7 @@ TriangleMesh mesh_wall(const PhantomShape& shape, double edge_length)
         bounds.upper = bounds.upper.cwiseMax(part.bounds.upper);
     }
     TriangleMesh wall =
-        contour([&](const Vec3& point) { return level(shape, point); }, bounds, 0.6 * edge_length);
+        contour([&](const Vec3& point) { return level(shape, point); }, bounds, contour_cell);
     for (const PhantomEnd& end : shape.ends)
         wall = cut_off(wall, end, shape.overhang);
 
@@ -261,6 +261,20 @@ TriangleMesh mesh_wall(const PhantomShape& shape, double edge_length)
     }
     mesh.collect_garbage();
     return from_cgal(mesh);
+}
+
+}  // namespace
+
+TriangleMesh mesh_wall(const PhantomShape& shape, double edge_length)
+{
+    for (const double cell : {0.6, 0.55, 0.65, 0.5}) {
+        TriangleMesh wall = mesh_wall_from(shape, edge_length, cell * edge_length);
+        if (find_defects(wall).intersecting_triangles.empty()) return wall;
+    }
+    throw GeometryError(
+        fmt::format("triangles of {:.4g} mm cross each other on this phantom; another "
+                    "vessel.edge_length, or a larger vessel.blend_radius, may do",
+                    1e3 * edge_length));
 }
 
 }  // namespace braidzone

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "discrepancy/artefacts.hpp"
 #include "discrepancy/background_estimate.hpp"
+#include "discrepancy/hub_slopes.hpp"
 #include "discrepancy/measurement_check.hpp"
 #include "discrepancy/surface_folds.hpp"
 #include "discrepancy/surface_further.hpp"
@@ -168,6 +169,7 @@ Diagnosis diagnose(const Model& base, const Lumen& lumen, std::vector<Vec3> poin
         diagnosis.observations,
         residuals(diagnosis.observations, diagnosis.base, base.imaging, diagnosis.base.surface),
         options.floor);
+    set_hub_slopes(diagnosis.observations, base, diagnosis.base, lumen);
     diagnosis.error = make_error_model(diagnosis.observations, options.floor);
     const SurfaceData data{lumen,           diagnosis.setting,
                            diagnosis.base,  diagnosis.observations,

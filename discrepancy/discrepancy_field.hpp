@@ -42,6 +42,7 @@ struct Patch {
     double area = 0.0;            ///< of the patch on the simulated device [m^2]
     double contact_share = 0.0;   ///< of its points over crossings that touch the wall
     std::vector<int> nodes = {};  ///< crossings nearest to its points, increasing
+    double hub_slope = 0.0;       ///< d(simulated surface) / d(shift of hubs): `set_hub_slopes` [-]
 };
 
 /// Where the measured surface lies against the simulated one, patch by patch.

@@ -23,6 +23,14 @@ double variance_of_gap(const Patch& patch)
     return square(patch.point_sd) * squares;
 }
 
+Eigen::VectorXd hub_slopes(const std::vector<Patch>& patches)
+{
+    Eigen::VectorXd slopes(static_cast<Eigen::Index>(patches.size()));
+    for (Eigen::Index i = 0; i < slopes.size(); ++i)
+        slopes[i] = patches[static_cast<std::size_t>(i)].hub_slope;
+    return slopes;
+}
+
 /// Covariance of distal end, proximal end and length between background deployments.
 Eigen::Matrix3d end_background(const NoiseFloor& floor)
 {
@@ -67,6 +75,8 @@ ErrorModel make_error_model(const Observations& observations, const NoiseFloor& 
         square(floor.background_sd) *
         (-patch_distances(observations.field).array() / floor.background_length).exp();
     model.background.topLeftCorner(n, n).array() += square(floor.offset_sd);
+    const Eigen::VectorXd hubs = hub_slopes(patches);
+    model.background.topLeftCorner(n, n) += square(floor.hub_sd) * hubs * hubs.transpose();
     for (const Patch& patch : patches)
         model.middle += patch.centre / static_cast<double>(n);
     for (Eigen::Index i = 0; i < n; ++i) {

@@ -10,10 +10,12 @@ namespace braidzone {
 /// Covariance of the residuals where no effect is missing, in its parts, each row in its own unit:
 /// [m^2] of patches and lengths.
 ///
-///     C = W + B + o^2 1 1' + G Lambda G'        patches
+///     C = W + B + o^2 1 1' + hub_sd^2 h h' + G Lambda G'        patches
 ///     W = diag(white_scale sd^2 sum w^2)        scatter of the points in their weighted mean
 ///     B = background_sd^2 exp(-distance / background_length)
-///     G = [n, (x - x0) x n]                     what a small motion of the scan does to a patch
+///     h                                         what a shift of the hubs does to it,
+///     `hub_slopes.hpp` G = [n, (x - x0) x n]                     what a small motion of the scan
+///     does to a patch
 ///
 /// The registration is marginalised: a misplacement of the scan as large as its prior Lambda
 /// explains costs nothing, and none is subtracted beforehand (what is not linear in it:
@@ -22,13 +24,13 @@ namespace braidzone {
 /// and force (`channel_errors.hpp`).
 struct ErrorModel {
     Eigen::VectorXd white;            ///< W, and the own variances of what follows the patches
-    Eigen::MatrixXd background;       ///< B and the offset; of the lengths, landing and length
+    Eigen::MatrixXd background;       ///< B, offset, hubs; of the lengths, landing and length
     Eigen::MatrixXd motion;           ///< G; 0 but for patches; columns: shift, rotation
     Eigen::VectorXd motion_variance;  ///< diagonal of Lambda
     Vec3 middle = Vec3::Zero();       ///< x0: of the patches' centres [m]
     Eigen::Index num_patches = 0;
 
-    Eigen::MatrixXd without_registration() const;  ///< W + B + o^2 1 1'
+    Eigen::MatrixXd without_registration() const;  ///< C without its last term
     Eigen::MatrixXd covariance() const;            ///< C
 };
 

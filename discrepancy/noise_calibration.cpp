@@ -17,10 +17,10 @@ namespace {
 constexpr std::size_t fewest_sets = 3;
 constexpr double prior_factor = 3.0;
 
-constexpr std::array<double NoiseFloor::*, 8> constants = {
+constexpr std::array<double NoiseFloor::*, 9> constants = {
     &NoiseFloor::background_sd, &NoiseFloor::background_length, &NoiseFloor::offset_sd,
-    &NoiseFloor::shift_sd,      &NoiseFloor::angle_sd,          &NoiseFloor::white_scale,
-    &NoiseFloor::landing_sd,    &NoiseFloor::length_sd};
+    &NoiseFloor::hub_sd,        &NoiseFloor::shift_sd,          &NoiseFloor::angle_sd,
+    &NoiseFloor::white_scale,   &NoiseFloor::landing_sd,        &NoiseFloor::length_sd};
 
 double log_posterior(const std::vector<CalibrationSet>& sets, const NoiseFloor& floor)
 {

@@ -29,6 +29,7 @@ const std::vector<Entry>& entries()
         {"background_sd_mm", &NoiseFloor::background_sd, millimetre},
         {"background_length_mm", &NoiseFloor::background_length, millimetre},
         {"offset_sd_mm", &NoiseFloor::offset_sd, millimetre},
+        {"hub_sd_mm", &NoiseFloor::hub_sd, millimetre, true},
         {"registration_shift_sd_mm", &NoiseFloor::shift_sd, millimetre},
         {"registration_angle_sd_deg", &NoiseFloor::angle_sd, degree},
         {"white_scale", &NoiseFloor::white_scale, 1.0},

@@ -155,6 +155,26 @@ TEST(MakePhantom, TrianglesAreSoundAndNearlyEquilateral)
     EXPECT_NEAR(std::sqrt(4.0 / std::sqrt(3.0) * mean_area), 0.4e-3, 0.1 * 0.4e-3);
 }
 
+// From the first grid's contour a fold is left near the distal end of this one, 28 mm down a bend,
+// in which five triangles cross.
+TEST(MakePhantom, BeginsAnewWhereTrianglesCross)
+{
+    Phantom phantom;
+    phantom.segments = {
+        {.length = 8e-3}, {.length = 14e-3, .angle = 0.3960780434}, {.length = 8e-3}};
+    phantom.proximal_radius = 1.903826463e-3;
+    phantom.distal_radius = 1.901335033e-3;
+    phantom.blend_radius = 0.4e-3;
+    phantom.sacs = {{.position = 15.60743111e-3,
+                     .direction = pi,
+                     .diameter = 7e-3,
+                     .height = 7e-3,
+                     .neck = 4.285675509e-3}};
+    const TriangleMesh wall = make_phantom(phantom).wall;
+    EXPECT_TRUE(is_sound(find_defects(wall))) << describe(find_defects(wall));
+    EXPECT_GT(smallest_angle(wall), 20.0 * pi / 180.0);
+}
+
 // Sphere of 3.5 mm whose circle of 4.5 mm lies in the wall's highest line, 2 mm above the axis: its
 // centre is sqrt(3.5^2 - 2.25^2) = 2.681 mm above that line.
 TEST(MakePhantom, SacIsASphereOnItsNeck)

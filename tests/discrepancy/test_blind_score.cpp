@@ -200,7 +200,8 @@ TEST(BlindFiles, KeepCases)
 {
     const test::TemporaryFolder folder;
     const hidden::HiddenCase made = hidden::random_case({}, 3);
-    write_case(made, folder.path() / "0001");
+    const hidden::FurtherData further = hidden::further_data(made, 4);
+    write_case(made, further, folder.path() / "0001");
     EXPECT_THAT(cases_in(folder.path()), testing::ElementsAre("0001"));
     const CaseData data = read_case(folder.path() / "0001");
     EXPECT_NEAR(data.model.landing_distal, made.belief.landing, 1e-9);
@@ -209,6 +210,15 @@ TEST(BlindFiles, KeepCases)
     EXPECT_LT((data.points.back() - made.scan.points.back()).norm(), 1e-6);
     EXPECT_NEAR(data.scalars.values[1]->value, made.scan.ends.values[1]->value, 5.1e-6);
     EXPECT_NEAR(data.lumen.centerline.length(), 30e-3, 1e-5);
+    EXPECT_TRUE(data.density.places.empty());
+    EXPECT_FALSE(data.scalars.contact_force);
+
+    const CaseData more = read_case(folder.path() / "0001", true);
+    EXPECT_NEAR(more.scalars.contact_force->force.value, further.force.force.value, 5.1e-6);
+    ASSERT_EQ(more.density.places.size(), further.density.places.size());
+    EXPECT_NEAR(more.density.places.back().value, further.density.places.back().value, 501.0);
+    EXPECT_LT((more.density.places.back().point - further.density.places.back().point).norm(),
+              1e-6);
 }
 
 }  // namespace braidzone::blind

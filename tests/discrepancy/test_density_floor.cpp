@@ -22,8 +22,9 @@ TEST(NoiseFloor, CoversDensityAndForceWhereNothingIsHidden)
     for (std::uint32_t seed = 1; seed <= num_devices; ++seed) {
         const hidden::HiddenCase made = hidden::random_case({}, seed);
         std::mt19937 random(seed);
-        const DensityMap map =
-            hidden::counted_pores(made.device, made.true_device, {.relative_sd = 1e-9}, random);
+        const DensityMap map = hidden::counted_pores(
+            made.device, made.true_device,
+            {.relative_sd = 1e-9, .scale_sd = 0.0, .unseen_share = 0.0}, random);
         const Simulation base = simulate(blind::believed_model(made.belief),
                                          blind::believed_lumen(made.belief.phantom));
         const DensityField field = make_density_field(map, {}, base);

@@ -14,9 +14,11 @@ namespace braidzone {
 
 TEST(ErrorModel, HasTheStatedCovariance)
 {
-    const Observations observations{
-        .points = {}, .field = test::cylinder_field(6, 2e-3), .scalars = {}};
+    Observations observations{.points = {}, .field = test::cylinder_field(6, 2e-3), .scalars = {}};
+    observations.field.patches[3].hub_slope = 0.8;
+    observations.field.patches[17].hub_slope = 0.5;
     NoiseFloor floor;
+    floor.hub_sd = 0.03e-3;
     floor.white_scale = 1.2;
     floor.background_sd = 0.026e-3;
     floor.background_length = 2.2e-3;
@@ -33,11 +35,12 @@ TEST(ErrorModel, HasTheStatedCovariance)
     };
     const double distance = (patches[3].centre - patches[17].centre).norm();
     const double expected = std::pow(0.026e-3, 2) * std::exp(-distance / 2.2e-3) +
-                            std::pow(0.02e-3, 2) + motion(3).dot(motion(17));
+                            std::pow(0.02e-3, 2) + 0.8 * 0.5 * std::pow(0.03e-3, 2) +
+                            motion(3).dot(motion(17));
     EXPECT_NEAR(covariance(3, 17), expected, 1e-6 * expected);
     const double white = 1.2 * std::pow(test::patch_point_sd, 2) / test::patch_points;
-    const double variance =
-        white + std::pow(0.026e-3, 2) + std::pow(0.02e-3, 2) + motion(3).squaredNorm();
+    const double variance = white + std::pow(0.026e-3, 2) + std::pow(0.02e-3, 2) +
+                            std::pow(0.8 * 0.03e-3, 2) + motion(3).squaredNorm();
     EXPECT_NEAR(covariance(3, 3), variance, 1e-6 * variance);
 }
 

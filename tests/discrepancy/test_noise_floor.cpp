@@ -41,8 +41,8 @@ TEST(NoiseFloor, IsReadBackAsItWasWritten)
     EXPECT_THAT(noise_floor_text(floor), HasSubstr("\"registration_angle_sd_deg\": 1.5"));
 }
 
-// A noise file of a time when there were neither.
-TEST(NoiseFloor, StandsAtItsDefaultsForDensityAndForce)
+// A noise file of a time when there were none of them.
+TEST(NoiseFloor, StandsAtItsDefaultsForHubsDensityAndForce)
 {
     const test::TemporaryFolder folder;
     const NoiseFloor read = read_noise_floor(
@@ -50,6 +50,7 @@ TEST(NoiseFloor, StandsAtItsDefaultsForDensityAndForce)
                      R"({"background_sd_mm": 0.03, "background_length_mm": 3, "offset_sd_mm": 0.01,
             "registration_shift_sd_mm": 0.07, "registration_angle_sd_deg": 0.7, "white_scale": 1,
             "landing_sd_mm": 0.1, "length_sd_mm": 0.1, "contact_force_relative_sd": 0.3})"));
+    EXPECT_EQ(read.hub_sd, NoiseFloor{}.hub_sd);
     EXPECT_EQ(read.density_sd, NoiseFloor{}.density_sd);
     EXPECT_EQ(read.density_scale_sd, NoiseFloor{}.density_scale_sd);
     EXPECT_EQ(read.force_sd, 0.3);

@@ -57,8 +57,8 @@ Answer answer_to(const CaseData& data, const std::vector<Effect>& catalogue,
                  const DiagnoseOptions& options)
 {
     try {
-        return answer_of(
-            diagnose(data.model, data.lumen, data.points, data.scalars, catalogue, options));
+        return answer_of(diagnose(data.model, data.lumen, data.points, data.scalars, catalogue,
+                                  options, data.density));
     } catch (const Error& error) {
         return {.finding = "error", .error = error.what()};
     }

@@ -2,7 +2,8 @@
 //
 //     blind make DATA TRUTH --seed N [--per-effect N --none N --outside N --pairs N]
 //     blind calibrate NOISE.json --seed N --sets N
-//     blind diagnose DATA ANSWERS [--noise NOISE.json] [--without EFFECT] [--jobs N]
+//     blind diagnose DATA ANSWERS [--noise NOISE.json] [--further] [--without EFFECT]
+//                           [--jobs N]
 //     blind score DATA TRUTH ANSWERS [--shuffle-labels SEED]
 //     blind hidden_push FOLDER        the data of cases/hidden_push
 
@@ -11,6 +12,7 @@
 #include "discrepancy/artefacts.hpp"
 #include "discrepancy/blind/plan.hpp"
 #include "discrepancy/blind/score.hpp"
+#include "discrepancy/hub_slopes.hpp"
 #include "discrepancy/noise_calibration.hpp"
 #include "support/hidden/spacing_stretch.hpp"
 
@@ -36,6 +38,7 @@ struct Arguments {
     int num_sets = 60;
     int jobs = 1;
     std::vector<std::string> without;
+    bool with_further = false;
     bool shuffles = false;
 };
 
@@ -85,7 +88,7 @@ void make(const Arguments& arguments)
         const std::string name = fmt::format("{:04}", i + 1);
         const std::uint32_t seed = seed_of(arguments.seed, i);
         const hidden::HiddenCase made = made_case(plan[i], name, seed);
-        write_case(made, arguments.data / name);
+        write_case(made, hidden::further_data(made, seed_of(seed, 0)), arguments.data / name);
         std::mt19937_64 salt(seed);
         const std::string truth = truth_text({plan[i].kind, made.effects}, salt());
         write_text(arguments.truth / (name + ".json"), truth);
@@ -100,12 +103,14 @@ void make(const Arguments& arguments)
 CalibrationSet calibration_set(std::uint32_t seed)
 {
     const hidden::HiddenCase made = hidden::random_case({}, seed);
-    const Simulation base =
-        simulate(believed_model(made.belief), believed_lumen(made.belief.phantom));
+    const Model model = believed_model(made.belief);
+    const Lumen lumen = believed_lumen(made.belief.phantom);
+    const Simulation base = simulate(model, lumen);
     CalibrationSet set;
     set.observations = {made.scan.points, make_discrepancy_field(made.scan.points, {}, base),
                         made.scan.ends};
     leave_out_artefacts(set.observations, residuals(set.observations, base, {}, base.surface), {});
+    set_hub_slopes(set.observations, model, base, lumen);
     set.residuals = residuals(set.observations, base, {}, base.surface);
     return set;
 }
@@ -144,8 +149,10 @@ void diagnose_all(const Arguments& arguments)
     const auto work = [&] {
         tbb::task_arena arena(1);
         for (std::size_t i = next++; i < open.size(); i = next++) {
-            const Answer answer = arena.execute(
-                [&] { return answer_to(read_case(arguments.data / open[i]), catalogue, options); });
+            const Answer answer = arena.execute([&] {
+                return answer_to(read_case(arguments.data / open[i], arguments.with_further),
+                                 catalogue, options);
+            });
             write_text(arguments.answers / (open[i] + ".json"), answer_text(answer));
             fmt::print("{} {}{} ({} deployments){}\n", open[i], first_answer(answer),
                        answer.leaves_doubt ? ", with doubt" : "", answer.num_runs, answer.error);
@@ -225,6 +232,7 @@ void add_diagnose(CLI::App& app, Arguments& arguments)
     verb.add_option("ANSWERS", arguments.answers)->required();
     verb.add_option("--noise", arguments.noise);
     verb.add_option("--without", arguments.without, "effects to leave out of the catalogue");
+    verb.add_flag("--further", arguments.with_further, "with the density and the force as well");
     verb.add_option("--jobs", arguments.jobs, "cases at a time")->check(CLI::PositiveNumber);
     verb.callback([&] { diagnose_all(arguments); });
 }

@@ -100,7 +100,22 @@ void write_scan(const hidden::ScannedDevice& scan, const fs::path& folder)
     }
 }
 
-void write_case(const hidden::HiddenCase& made, const fs::path& folder)
+void write_further(const hidden::FurtherData& further, const fs::path& folder)
+{
+    std::ofstream places = opened(folder / "density.csv");
+    places << "x_mm,y_mm,z_mm,pore_density_per_mm2,sd_per_mm2\n";
+    for (const DensityPlace& place : further.density.places) {
+        places << fmt::format("{:.3f},{:.3f},{:.3f},{:.3f},{:.3f}\n", 1e3 * place.point.x(),
+                              1e3 * place.point.y(), 1e3 * place.point.z(), 1e-6 * place.value,
+                              1e-6 * place.sd);
+    }
+    opened(folder / "further.toml")
+        << fmt::format("contact_force = \"{:.5f} N\"\ncontact_force_sd = \"{:.5f} N\"\n",
+                       further.force.force.value, further.force.force.sd);
+}
+
+void write_case(const hidden::HiddenCase& made, const hidden::FurtherData& further,
+                const fs::path& folder)
 {
     fs::create_directories(folder);
     opened(folder / "phantom.toml") << phantom_text(made.belief.phantom);
@@ -110,16 +125,24 @@ void write_case(const hidden::HiddenCase& made, const fs::path& folder)
                        millimetres(made.belief.device.nominal_length),
                        made.belief.device.force_scale, millimetres(made.belief.landing));
     write_scan(made.scan, folder);
+    write_further(further, folder);
 }
 
-CaseData read_case(const fs::path& folder)
+CaseData read_case(const fs::path& folder, bool with_further)
 {
     const hidden::Belief belief = read_belief(folder);
     Lumen lumen = believed_lumen(belief.phantom);
     MeasuredScalars scalars =
         read_measured_scalars(TomlTable::read_file(folder / "measured.toml"), lumen.centerline);
+    DensityMap density;
+    if (with_further) {
+        scalars.contact_force =
+            read_measured_scalars(TomlTable::read_file(folder / "further.toml"), lumen.centerline)
+                .contact_force;
+        density = read_density_map(folder / "density.csv");
+    }
     return {believed_model(belief), std::move(lumen),
-            read_measured_surface(folder / "measured.csv", {}), scalars};
+            read_measured_surface(folder / "measured.csv", {}), scalars, std::move(density)};
 }
 
 std::string truth_text(const CaseTruth& truth, std::uint64_t salt)

@@ -15,6 +15,8 @@
 //     device.toml    diameter, length, landing_distal
 //     measured.csv   points of the scan
 //     measured.toml  its end markers
+//     density.csv    pores counted in squares
+//     further.toml   the force on the wall
 //
 // and its truth stands in a file of another folder, `<case>.json`.
 
@@ -28,6 +30,7 @@ struct CaseData {
     Lumen lumen;
     std::vector<Vec3> points;  ///< [m]
     MeasuredScalars scalars;
+    DensityMap density = {};
 };
 
 /// Kinds of cases: "single", "none", "outside" (the catalogue) or "pair".
@@ -46,10 +49,12 @@ Model believed_model(const hidden::Belief& belief);
 void write_scan(const hidden::ScannedDevice& scan, const fs::path& folder);
 
 /// Writes the data of a case.
-void write_case(const hidden::HiddenCase& made, const fs::path& folder);
+void write_case(const hidden::HiddenCase& made, const hidden::FurtherData& further,
+                const fs::path& folder);
 
-/// Reads them. @throws what the readers of the files throw
-CaseData read_case(const fs::path& folder);
+/// Reads them, density and force only if `with_further`. @throws what the readers of the files
+/// throw
+CaseData read_case(const fs::path& folder, bool with_further = false);
 
 /// The truth as JSON. The salt keeps its digest from being guessed.
 std::string truth_text(const CaseTruth& truth, std::uint64_t salt);

@@ -2,9 +2,11 @@
 
 #include "core/phantom_file.hpp"
 #include "support/devices_of_any_size.hpp"
+#include "support/hidden/hidden_density.hpp"
 #include "support/hidden/smooth_field.hpp"
 
 #include <array>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -92,6 +94,21 @@ HiddenCase made_case(HiddenStory story, const Background& background, const Scan
     made.scan = scanned(made.device, story.scan, errors, random);
     set_registration(made);
     return made;
+}
+
+FurtherData further_data(const HiddenCase& made, std::uint32_t seed)
+{
+    constexpr double everywhere = std::numeric_limits<double>::infinity();
+    constexpr double force_sd = 0.15;
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    FurtherData data{.density = counted_pores(made.device, made.true_device, {}, random),
+                     .force = {}};
+    for (DensityPlace& place : data.density.places)
+        place.point = as_scanned(made.scan, place.point);
+    const double force = wall_force(made.device, -everywhere, everywhere);
+    data.force.force = {force * (1.0 + force_sd * normal(random)), force_sd * force};
+    return data;
 }
 
 HiddenCase random_case(std::span<const EffectChoice> effects, std::uint32_t seed)

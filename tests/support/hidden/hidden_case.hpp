@@ -1,5 +1,6 @@
 #pragma once
 
+#include "discrepancy/density_map.hpp"
 #include "support/hidden/hidden_effect.hpp"
 
 #include <cstdint>
@@ -32,6 +33,15 @@ struct HiddenCase {
     HiddenDevice device;
     FlowDiverter true_device;  ///< that was placed
 };
+
+/// What may be measured besides the scan, in its frame.
+struct FurtherData {
+    DensityMap density;
+    MeasuredContactForce force;  ///< of the whole device on the wall
+};
+
+/// Counts pores as `DensityPicture` has it, and measures the force to 15 %.
+FurtherData further_data(const HiddenCase& made, std::uint32_t seed);
 
 /// A sidewall aneurysm of a random vessel, with a 4 mm device in front of its neck.
 Belief random_belief(std::mt19937& random);

@@ -36,6 +36,8 @@ DensityMap counted_pores(const HiddenDevice& device, const FlowDiverter& braid,
     const double force_free_area =
         device.row_step * 2.0 * std::numbers::pi * radius / device.columns;
     std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> uniform;
+    const double scale = 1.0 + picture.scale_sd * normal(random);
     const double first = device.arc_length.front() - from_ends;
     const double last = device.arc_length.back() + from_ends;
     DensityMap map;
@@ -45,6 +47,7 @@ DensityMap counted_pores(const HiddenDevice& device, const FlowDiverter& braid,
         while (device.arc_length[static_cast<std::size_t>(row) + 1] > s)
             ++row;
         for (int j = 0; j < picture.columns; ++j) {
+            if (uniform(random) < picture.unseen_share) continue;
             const Vec3 middle = cell_of(device, row, j * device.columns / picture.columns).middle;
             double area = 0.0, pores = 0.0;
             for (int r = 0; r + 1 < device.rows; ++r) {
@@ -57,10 +60,11 @@ DensityMap counted_pores(const HiddenDevice& device, const FlowDiverter& braid,
                 }
             }
             const double density = pores / area;
-            map.places.push_back({.point = middle,
-                                  .value = density * (1.0 + picture.relative_sd * normal(random)),
-                                  .sd = picture.relative_sd * density,
-                                  .window = picture.window});
+            map.places.push_back(
+                {.point = middle,
+                 .value = scale * density * (1.0 + picture.relative_sd * normal(random)),
+                 .sd = picture.relative_sd * density,
+                 .window = picture.window});
         }
     }
     return map;

@@ -151,13 +151,25 @@ Vec3 turned(const Vec3& rotation, const Vec3& point)
     return angle > 0.0 ? Vec3(Eigen::AngleAxisd(angle, rotation / angle) * point) : point;
 }
 
-void misplace(ScannedDevice& scan)
+Vec3 middle_of(const std::vector<Vec3>& points)
 {
     Vec3 middle = Vec3::Zero();
-    for (const Vec3& point : scan.points)
-        middle += point / static_cast<double>(scan.points.size());
+    for (const Vec3& point : points)
+        middle += point / static_cast<double>(points.size());
+    return middle;
+}
+
+/// About the middle of the points before.
+Vec3 moved(const ScannedDevice& scan, const Vec3& middle, const Vec3& point)
+{
+    return turned(scan.rotation, point - middle) + middle + scan.shift;
+}
+
+void misplace(ScannedDevice& scan)
+{
+    const Vec3 middle = middle_of(scan.points);
     for (Vec3& point : scan.points)
-        point = turned(scan.rotation, point - middle) + middle + scan.shift;
+        point = moved(scan, middle, point);
 }
 
 }  // namespace
@@ -183,6 +195,11 @@ double segmented_offset(double blur, double nominal_blur, double threshold_shift
     // sqrt(2 ln(1 / f)) of the threshold at which a sheet of nominal blur is off by the shift
     const double cut = std::max(0.0, half_height + threshold_shift / nominal_blur);
     return blur * cut - nominal_blur * half_height - blur * blur / (2.0 * radius);
+}
+
+Vec3 as_scanned(const ScannedDevice& scan, const Vec3& point)
+{
+    return moved(scan, middle_of(scan.points) - scan.shift, point);
 }
 
 ScannedDevice scanned(const HiddenDevice& device, const HiddenScan& hidden,

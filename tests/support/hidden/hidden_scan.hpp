@@ -57,6 +57,9 @@ ScanErrors random_scan_errors(std::mt19937& random);
 /// f from one half to where a flat sheet's d is that much, as far as there is a surface at all.
 double segmented_offset(double blur, double nominal_blur, double threshold_shift, double radius);
 
+/// Where a scan shows a point of the believed vessel's frame.
+Vec3 as_scanned(const ScannedDevice& scan, const Vec3& point);
+
 /// Scans a device.
 ScannedDevice scanned(const HiddenDevice& device, const HiddenScan& hidden,
                       const ScanErrors& errors, std::mt19937& random);
