@@ -187,9 +187,13 @@ TEST(BlindFiles, KeepTruthsAndAnswers)
                               .values = {{"friction", 0.1}, {"free", std::nan("")}},
                               .sd = {{"friction", 0.01}},
                               .rms_after = 0.05e-3};
+    answer.named = {{.effects = {"sliding"}, .log_evidence = 3.0, .log_evidence_unknown = -1.5}};
     std::ofstream(folder.path() / "answer.json") << answer_text(answer);
     const Answer back = read_answer(folder.path() / "answer.json");
     EXPECT_EQ(back.sets, answer.sets);
+    ASSERT_EQ(back.named.size(), 1u);
+    EXPECT_EQ(back.named.front().effects, std::vector<std::string>{"sliding"});
+    EXPECT_EQ(back.named.front().log_evidence_unknown, -1.5);
     EXPECT_TRUE(back.leaves_doubt);
     EXPECT_EQ(first_answer(back), "blooming+local_push");
     EXPECT_EQ(back.fits.at("sliding").values, (std::map<std::string, double>{{"friction", 0.1}}));

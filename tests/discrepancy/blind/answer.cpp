@@ -40,6 +40,7 @@ Answer answer_of(const Diagnosis& diagnosis)
     answer.leaves_doubt = diagnosis.leaves_doubt();
     answer.is_confirmed = diagnosis.held_out.confirms();
     answer.log_evidence_unknown = explanation.log_evidence_unknown;
+    answer.named = explanation.named;
     for (std::size_t i = 0; i < explanation.num_singles; ++i) {
         const EffectFit& fit = explanation.fits[i];
         if (fit.failure.empty())
@@ -77,7 +78,14 @@ std::string answer_text(const Answer& answer)
                  {"background", answer.background},
                  {"num_runs", answer.num_runs},
                  {"error", answer.error},
+                 {"named", Json::array()},
                  {"fits", Json::object()}};
+    for (const NamedEvidence& one : answer.named) {
+        json["named"].push_back({{"effects", one.effects},
+                                 {"log_evidence", one.log_evidence},
+                                 {"log_evidence_unknown", one.log_evidence_unknown},
+                                 {"log_evidence_scalars", one.log_evidence_scalars}});
+    }
     for (const auto& [name, fit] : answer.fits) {
         json["fits"][name] = {{"log_evidence", fit.log_evidence},
                               {"values", fit.values},
@@ -104,6 +112,12 @@ Answer read_answer(const std::filesystem::path& file)
                   .background = json.at("background"),
                   .num_runs = json.at("num_runs"),
                   .error = json.at("error")};
+    for (const Json& one : json.at("named")) {
+        answer.named.push_back({.effects = one.at("effects"),
+                                .log_evidence = one.at("log_evidence"),
+                                .log_evidence_unknown = one.at("log_evidence_unknown"),
+                                .log_evidence_scalars = one.at("log_evidence_scalars")});
+    }
     // A number that is not finite is written as null.
     const auto numbers = [](const Json& object) {
         std::map<std::string, double> values;

@@ -25,6 +25,7 @@ struct Answer {
     bool leaves_doubt = false;
     bool is_confirmed = false;  ///< by blocks that it was not chosen on
     double log_evidence_unknown = 0.0;
+    std::vector<NamedEvidence> named = {};  ///< what the verdict was made from
     std::map<std::string, FittedEffect> fits = {};
     double rms_before = 0.0, rms_after = 0.0, rms_floor = 0.0;  ///< held out [m]
     double background = 1.0;
