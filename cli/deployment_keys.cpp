@@ -99,8 +99,9 @@ std::vector<IncompleteOpening> read_incomplete_openings(const TomlTable& table)
     std::vector<IncompleteOpening> openings;
     for (const TomlTable& opening : table.tables("incomplete_opening")) {
         openings.push_back({read_choice(opening, "end", device_ends, DeviceEnd::proximal),
-                            opening.quantity("length", Dimension::length),
-                            opening.number("shrink")});
+                            opening.quantity("length", Dimension::length), opening.number("shrink"),
+                            opening.number_or("lean", 0.0),
+                            opening.quantity_or("lean_angle", Dimension::angle, 0.0)});
     }
     validate_at(table, "incomplete_opening", openings);
     return openings;

@@ -120,9 +120,12 @@ void add_schedule(Json& section, const ReleaseSchedule& schedule)
                                     {"half_width", length(twist.half_width)}});
     }
     for (const IncompleteOpening& opening : schedule.incomplete_openings) {
-        section["incomplete_opening"].push_back({{"end", name_of(opening.end)},
-                                                 {"length", length(opening.length)},
-                                                 {"shrink", opening.shrink}});
+        section["incomplete_opening"].push_back(
+            {{"end", name_of(opening.end)},
+             {"length", length(opening.length)},
+             {"shrink", opening.shrink},
+             {"lean", opening.lean},
+             {"lean_angle", format_quantity(opening.lean_angle, Dimension::angle)}});
     }
     if (!schedule.table_file.empty()) section["spacing_table"] = schedule.table_file.string();
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double largest_shrink = 0.8;
 
-/// Share by which a ring is narrower than without.
+/// Share by which a ring is narrower than without, on average around it.
 double shrink_at(const IncompleteOpening& opening, const std::vector<double>& arc_lengths,
                  std::size_t ring)
 {
@@ -40,6 +40,14 @@ void validate(const std::vector<IncompleteOpening>& openings)
                 fmt::format("incomplete_opening: shrink = {:.6g}; allowed are 0 (fully open) to {}",
                             opening.shrink, largest_shrink));
         }
+        if (!(opening.lean >= 0.0 && opening.lean <= 1.0)) {
+            throw ConfigError(fmt::format(
+                "incomplete_opening: lean = {:.6g}; allowed are 0 (about the axis) to 1 (one side "
+                "on the wall)",
+                opening.lean));
+        }
+        if (!std::isfinite(opening.lean_angle))
+            throw ConfigError("incomplete_opening: lean_angle must be a finite angle");
         const auto at_same_end = [&](const IncompleteOpening& other) {
             return other.end == opening.end;
         };
@@ -63,8 +71,10 @@ std::vector<double> narrowed_stops(const std::vector<IncompleteOpening>& opening
             const double shrink = shrink_at(opening, arc_lengths, static_cast<std::size_t>(ring));
             if (!(shrink > 0.0)) continue;
             for (int column = 0; column < lattice.nodes_per_ring; ++column) {
+                const double off = lattice.angle(ring, column) - opening.lean_angle;
+                const double here = shrink * (1.0 - opening.lean * std::cos(off));
                 double& stop = narrowed[static_cast<std::size_t>(lattice.node(ring, column))];
-                stop = std::max(smallest, (1.0 - shrink) * std::min(stop, widest));
+                stop = std::max(smallest, (1.0 - here) * std::min(stop, widest));
             }
         }
     }

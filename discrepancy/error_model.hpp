@@ -13,9 +13,8 @@ namespace braidzone {
 ///     C = W + B + o^2 1 1' + hub_sd^2 h h' + G Lambda G'        patches
 ///     W = diag(white_scale sd^2 sum w^2)        scatter of the points in their weighted mean
 ///     B = background_sd^2 exp(-distance / background_length)
-///     h                                         what a shift of the hubs does to it,
-///     `hub_slopes.hpp` G = [n, (x - x0) x n]                     what a small motion of the scan
-///     does to a patch
+///     h                                         of a shift of the hubs (`hub_slopes.hpp`)
+///     G = [n, (x - x0) x n]                     of a small motion of the scan
 ///
 /// The registration is marginalised: a misplacement of the scan as large as its prior Lambda
 /// explains costs nothing, and none is subtracted beforehand (what is not linear in it:

@@ -12,6 +12,7 @@ constexpr double step = 0.02e-3;
 void set_hub_slopes(Observations& observations, const Model& model, const Simulation& base,
                     const Lumen& lumen)
 {
+    if (model.options.hoop_migration || model.options.axial == AxialMotion::free) return;
     Model shifted = model;
     shifted.options.hub_shift += step;
     const auto gaps = [&](const Simulation& simulation) {

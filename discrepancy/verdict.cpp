@@ -50,16 +50,21 @@ Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unkn
         return verdict;
     verdict.finding = Finding::unknown;
     if (ordered.empty()) return verdict;
+    const bool in_scalars_only =
+        best_evidence < options.effect_bar && log_evidence_unknown < options.unknown_bar;
     double best = score(ordered.front());
-    const double unknown = std::max(log_evidence_unknown, 0.0);
+    const double unknown =
+        std::max(in_scalars_only ? log_evidence_scalars : log_evidence_unknown, 0.0);
     const bool beside_unknown =
+        in_scalars_only ||
         best - unknown < (options.offers_unknown ? options.unknown_margin : options.margin);
     if (beside_unknown) {
         // Those that need no unknown effect to explain about as much.
         const double lack = std::max(options.margin, options.unknown_share * unknown);
+        const double least = in_scalars_only ? std::max(0.0, unknown - lack)
+                                             : std::max(options.effect_bar, unknown - lack);
         std::erase_if(ordered, [&](const NamedEvidence& one) {
-            return !options.offers_unknown ||
-                   one.log_evidence < std::max(options.effect_bar, unknown - lack);
+            return !options.offers_unknown || one.log_evidence < least;
         });
         if (ordered.empty()) return verdict;
         best = score(ordered.front());

@@ -78,7 +78,9 @@ struct Verdict {
 ///
 /// With `offers_unknown`, where the margin is less than `unknown_margin`, those known effects are
 /// answers beside an unknown one whose own ln B_k reaches its bar and is no more than 3, or a
-/// tenth, below ln B_U.
+/// tenth, below ln B_U. Where single numbers alone tell that something is missing, an end that is
+/// off, ln B of the scalars stands in the place of ln B_U, and that bar falls to 0: it is what a
+/// choice among many costs, which the scalars' own bar is free of.
 Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unknown,
                double log_evidence_scalars = 0.0, const VerdictOptions& options = {});
 

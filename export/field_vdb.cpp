@@ -1,10 +1,8 @@
 #include "export/field_vdb.hpp"
 
-#include "core/error.hpp"
+#include "export/vdb_file.hpp"
 #include "export/vdb_labels.hpp"
-#include "export/vdb_mark.hpp"
 
-#include <fmt/format.h>
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
 
@@ -182,14 +180,7 @@ void write_field_vdb(const std::filesystem::path& path, const PorousField& field
         normal_grid(labelled),
         wall_distance_grid(labelled),
         cell_type_grid(labelled)};
-    try {
-        openvdb::io::File file(path.string());
-        file.write(grids);
-        file.close();
-    } catch (const openvdb::Exception& error) {
-        throw IoError(fmt::format("{}: {}", path.string(), error.what()));
-    }
-    replace_vdb_mark(path);
+    write_vdb_file<openvdb::io::File, openvdb::Exception>(path, grids);
 }
 
 }  // namespace braidzone

@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "export/binary_file.hpp"
 #include "export/resisting_planes.hpp"
-#include "export/vdb_mark.hpp"
+#include "export/vdb_file.hpp"
 
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
@@ -114,14 +114,7 @@ void write_porosity(const std::filesystem::path& path, const LatticeNodes& nodes
         const auto& [x, y, z] = place_of(nodes.grid, nodes.resisting[i]);
         accessor.setValue({x, y, z}, static_cast<float>(d));
     }
-    try {
-        openvdb::io::File file(path.string());
-        file.write({grid});
-        file.close();
-    } catch (const openvdb::Exception& error) {
-        throw IoError(fmt::format("{}: {}", path.string(), error.what()));
-    }
-    replace_vdb_mark(path);
+    write_vdb_file<openvdb::io::File, openvdb::Exception>(path, openvdb::GridCPtrVec{grid});
 }
 
 }  // namespace

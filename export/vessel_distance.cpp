@@ -2,8 +2,8 @@
 
 #include "core/error.hpp"
 #include "core/wall_tree.hpp"
+#include "export/vdb_file.hpp"
 #include "export/vdb_labels.hpp"
-#include "export/vdb_mark.hpp"
 
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
@@ -118,14 +118,7 @@ void write_vessel_distance(const std::filesystem::path& path, const Vessel& vess
                          .value_unit = vessel.unit.name,
                          .background = static_cast<double>(grid->background()),
                          .file = origin});
-    try {
-        openvdb::io::File file(path.string());
-        file.write({grid});
-        file.close();
-    } catch (const openvdb::Exception& error) {
-        throw IoError(fmt::format("{}: {}", path.string(), error.what()));
-    }
-    replace_vdb_mark(path);
+    write_vdb_file<openvdb::io::File, openvdb::Exception>(path, openvdb::GridCPtrVec{grid});
 }
 
 }  // namespace braidzone

@@ -136,6 +136,8 @@ shrink = 0.2
 end = "distal"
 length = "2 mm"
 shrink = 0.1
+lean = 0.5
+lean_angle = "90 deg"
 )")
                                          .schedule;
     ASSERT_EQ(schedule.twists.size(), 1u);
@@ -147,6 +149,9 @@ shrink = 0.1
     EXPECT_DOUBLE_EQ(schedule.incomplete_openings[0].length, 3e-3);
     EXPECT_EQ(schedule.incomplete_openings[1].end, DeviceEnd::distal);
     EXPECT_EQ(schedule.incomplete_openings[1].shrink, 0.1);
+    EXPECT_EQ(schedule.incomplete_openings[0].lean, 0.0);
+    EXPECT_EQ(schedule.incomplete_openings[1].lean, 0.5);
+    EXPECT_DOUBLE_EQ(schedule.incomplete_openings[1].lean_angle, 0.5 * std::numbers::pi);
 }
 
 TEST(DeploymentKeys, RefuseTwistsAndIncompleteOpeningsThatCannotBe)

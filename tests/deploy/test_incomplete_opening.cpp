@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace braidzone {
@@ -74,6 +75,33 @@ TEST(NarrowedStops, FollowTheCone)
     EXPECT_EQ(tight[4], 1.8e-3);
 }
 
+// At the very end a cone of 0.2 that leans by a half takes 0.1 off the side it leans to (node 0, at
+// 0 degrees), 0.3 off the other.
+TEST(NarrowedStops, LeanToOneSide)
+{
+    BraidLattice lattice;
+    lattice.nodes_per_ring = 4;
+    lattice.num_rings = 2;
+    lattice.nominal_radius = 2e-3;
+    const std::vector<double> stops(8, 1.8e-3);
+    const std::vector<double> narrowed =
+        narrowed_stops({{.end = DeviceEnd::distal, .length = 2e-3, .shrink = 0.2, .lean = 0.5}},
+                       stops, lattice, {14e-3, 12e-3}, 0.4, 0.3e-3);
+    ASSERT_EQ(lattice.angle(0, 0), 0.0);
+    EXPECT_NEAR(narrowed[0], 0.9 * 1.8e-3, 1e-12);
+    EXPECT_NEAR(narrowed[1], 0.8 * 1.8e-3, 1e-12);
+    EXPECT_NEAR(narrowed[2], 0.7 * 1.8e-3, 1e-12);
+    EXPECT_NEAR(narrowed[3], 0.8 * 1.8e-3, 1e-12);
+    const std::vector<double> turned = narrowed_stops({{.end = DeviceEnd::distal,
+                                                        .length = 2e-3,
+                                                        .shrink = 0.2,
+                                                        .lean = 1.0,
+                                                        .lean_angle = std::numbers::pi / 2}},
+                                                      stops, lattice, {14e-3, 12e-3}, 0.4, 0.3e-3);
+    EXPECT_NEAR(turned[1], 1.8e-3, 1e-12);
+    EXPECT_NEAR(turned[3], 0.6 * 1.8e-3, 1e-12);
+}
+
 // Everywhere the wall holds the braid in a tube of 1.85 mm, the cone takes its place: at the end
 // 0.8 of the radius, from 3 mm on all of it.
 TEST(IncompleteOpening, LeavesAConeAtItsEnd)
@@ -119,6 +147,12 @@ TEST(IncompleteOpening, RefusesWhatIsOutOfRange)
               "incomplete_opening: length = 0 mm; it must be positive");
     EXPECT_EQ(refusal({{DeviceEnd::proximal, 3e-3, 0.9}}),
               "incomplete_opening: shrink = 0.9; allowed are 0 (fully open) to 0.8");
+    EXPECT_EQ(
+        refusal({{.length = 3e-3, .shrink = 0.2, .lean = 1.1}}),
+        "incomplete_opening: lean = 1.1; allowed are 0 (about the axis) to 1 (one side on the "
+        "wall)");
+    EXPECT_EQ(refusal({{.length = 3e-3, .shrink = 0.2, .lean_angle = std::nan("")}}),
+              "incomplete_opening: lean_angle must be a finite angle");
     EXPECT_EQ(refusal({{DeviceEnd::distal, 3e-3, 0.2}, {DeviceEnd::distal, 2e-3, 0.1}}),
               "incomplete_opening: the distal end is given twice; keep one of them");
 }

@@ -78,18 +78,22 @@ TEST(Effects, ConeAtEitherEnd)
 {
     for (const auto& [name, end] : {std::pair{"incomplete_opening_proximal", DeviceEnd::proximal},
                                     {"incomplete_opening_distal", DeviceEnd::distal}}) {
-        const auto cones = with(name, {0.2, 3e-3}).schedule.incomplete_openings;
+        const auto cones = with(name, {0.2, 3e-3, 0.3, -0.4}).schedule.incomplete_openings;
         ASSERT_EQ(cones.size(), 1u);
         EXPECT_EQ(cones[0].end, end);
         EXPECT_DOUBLE_EQ(cones[0].shrink, 0.2);
         EXPECT_DOUBLE_EQ(cones[0].length, 3e-3);
-        EXPECT_TRUE(with(name, {0.0, 3e-3}).schedule.incomplete_openings.empty());
+        EXPECT_DOUBLE_EQ(cones[0].lean, 0.5);
+        EXPECT_DOUBLE_EQ(std::tan(cones[0].lean_angle), -4.0 / 3.0);
+        EXPECT_GT(std::cos(cones[0].lean_angle), 0.0);
+        EXPECT_TRUE(with(name, {0.0, 3e-3, 0.0, 0.0}).schedule.incomplete_openings.empty());
     }
     EffectSetting open = setting();
     open.base.schedule.incomplete_openings = {{DeviceEnd::distal, 2e-3, 0.1}};
-    EXPECT_THROW(effect("incomplete_opening_distal").apply(open, {0.2, 3e-3}), ConfigError);
+    EXPECT_THROW(effect("incomplete_opening_distal").apply(open, {0.2, 3e-3, 0.0, 0.0}),
+                 ConfigError);
     EXPECT_EQ(effect("incomplete_opening_proximal")
-                  .apply(open, {0.2, 3e-3})
+                  .apply(open, {0.2, 3e-3, 0.0, 0.0})
                   .schedule.incomplete_openings.size(),
               2u);
 }

@@ -11,13 +11,14 @@ namespace braidzone {
 namespace {
 
 /// A 4 mm device in a bend with a sac on its outer side, or without the sac.
-std::vector<Patch> patches_with_slopes(bool has_sac)
+std::vector<Patch> patches_with_slopes(bool has_sac, bool has_hoop_migration = false)
 {
     hidden::Belief belief = hidden::sidewall_belief(BRAIDZONE_SOURCE_DIR);
     if (!has_sac) belief.phantom.sacs.clear();
     const Lumen lumen = blind::believed_lumen(belief.phantom);
-    const Model model = blind::believed_model(belief);
+    Model model = blind::believed_model(belief);
     const Simulation base = simulate(model, lumen);
+    model.options.hoop_migration = has_hoop_migration;
     Observations observations = planned_observations(base, {});
     set_hub_slopes(observations, model, base, lumen);
     return observations.field.patches;
@@ -41,9 +42,11 @@ TEST(HubSlopes, AreThoseOfAFreeRingInFrontOfTheNeckOnly)
     EXPECT_GT(largest, 0.3);
 }
 
-TEST(HubSlopes, AreNoneWithoutANeck)
+TEST(HubSlopes, AreNoneWithoutANeckOrWhereRingsFindTheirOwnPlace)
 {
     for (const Patch& patch : patches_with_slopes(false))
+        EXPECT_EQ(patch.hub_slope, 0.0);
+    for (const Patch& patch : patches_with_slopes(true, true))
         EXPECT_EQ(patch.hub_slope, 0.0);
 }
 

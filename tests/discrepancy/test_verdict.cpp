@@ -161,6 +161,27 @@ TEST(Decide, PutsKnownEffectsBesideAnUnknownOneIfAsked)
     EXPECT_EQ(decide(alone, 14.1, 0.0, options).finding, Finding::unknown);
 }
 
+// The end is off, the surface shows nothing: what explains 2.2 or more of the scalars' 5.2 may be
+// it.
+TEST(Decide, OffersWhatExplainsTheScalarsWhereOnlyTheyTell)
+{
+    VerdictOptions options;
+    options.offers_unknown = true;
+    options = for_choice_among(15, options);
+    const std::vector<NamedEvidence> named = {one("blooming", -1.2, -3.0, 5.2),
+                                              one("sliding", 5.0, -3.0, -1.0),
+                                              one("local_pull", 2.3, -3.0, 1.0)};
+    const Verdict verdict = decide(named, -3.0, 5.2, options);
+    EXPECT_EQ(verdict.finding, Finding::ambiguous);
+    EXPECT_THAT(names(verdict), ElementsAre("sliding", "local_pull"));
+    EXPECT_DOUBLE_EQ(verdict.unknown_lead.value(), 5.2 - 5.0);
+
+    options.offers_unknown = false;
+    EXPECT_EQ(decide(named, -3.0, 5.2, options).finding, Finding::unknown);
+    EXPECT_EQ(decide({named.front()}, -3.0, 5.2, for_choice_among(15, {})).finding,
+              Finding::unknown);
+}
+
 // A strong effect of which the shape is a little other than its implementation's.
 TEST(Verdict, OffersAKnownEffectThatLacksATenthOfAnUnknownOne)
 {

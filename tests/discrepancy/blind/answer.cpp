@@ -40,6 +40,7 @@ Answer answer_of(const Diagnosis& diagnosis)
     answer.leaves_doubt = diagnosis.leaves_doubt();
     answer.is_confirmed = diagnosis.held_out.confirms();
     answer.log_evidence_unknown = explanation.log_evidence_unknown;
+    answer.log_evidence_scalars = explanation.log_evidence_scalars;
     answer.named = explanation.named;
     for (std::size_t i = 0; i < explanation.num_singles; ++i) {
         const EffectFit& fit = explanation.fits[i];
@@ -72,6 +73,7 @@ std::string answer_text(const Answer& answer)
                  {"leaves_doubt", answer.leaves_doubt},
                  {"is_confirmed", answer.is_confirmed},
                  {"log_evidence_unknown", answer.log_evidence_unknown},
+                 {"log_evidence_scalars", answer.log_evidence_scalars},
                  {"rms_before", answer.rms_before},
                  {"rms_after", answer.rms_after},
                  {"rms_floor", answer.rms_floor},
@@ -105,6 +107,7 @@ Answer read_answer(const std::filesystem::path& file)
                   .leaves_doubt = json.at("leaves_doubt"),
                   .is_confirmed = json.at("is_confirmed"),
                   .log_evidence_unknown = json.at("log_evidence_unknown"),
+                  .log_evidence_scalars = json.at("log_evidence_scalars"),
                   .fits = {},
                   .rms_before = json.at("rms_before"),
                   .rms_after = json.at("rms_after"),

@@ -24,7 +24,7 @@ struct Answer {
     std::vector<std::vector<std::string>> sets = {};
     bool leaves_doubt = false;
     bool is_confirmed = false;  ///< by blocks that it was not chosen on
-    double log_evidence_unknown = 0.0;
+    double log_evidence_unknown = 0.0, log_evidence_scalars = 0.0;
     std::vector<NamedEvidence> named = {};  ///< what the verdict was made from
     std::map<std::string, FittedEffect> fits = {};
     double rms_before = 0.0, rms_after = 0.0, rms_floor = 0.0;  ///< held out [m]
