@@ -41,13 +41,14 @@ ScoredCase scored_case(const std::string& kind, const std::string& effect, std::
 
 // Strong effects are beyond the detection limits of the prototype (a push of 0.45, 0.1 mm of
 // blooming or of the vessel's radius): all are found. "Unknown" is an honest answer to one of
-// three, another name is not. Against three effects only, a wider device that bloomed is as
-// probable as a narrower vessel: that one has the whole catalogue, in which a pair is one of many.
+// three, another name is not. Among three effects only, a wider device that bloomed is as
+// probable as a narrower vessel, and a wider device beside the push may be: those two have the
+// whole catalogue, in which a pair is one of many.
 TEST(BlindCases, AreSolvedWhereTheEffectIsStrong)
 {
-    const std::vector<ScoredCase> cases = {
-        scored_case("single", "local_push", 101, {"nominal_diameter", "local_push"}),
-        scored_case("single", "blooming", 102), scored_case("single", "vessel_offset", 103, {})};
+    const std::vector<ScoredCase> cases = {scored_case("single", "local_push", 101, {}),
+                                           scored_case("single", "blooming", 102),
+                                           scored_case("single", "vessel_offset", 103, {})};
     const SingleScore score = score_of(cases).all_singles;
     EXPECT_EQ(score.detected.count, 3);
     EXPECT_GE(score.first.count, 2);
