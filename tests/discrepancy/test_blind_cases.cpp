@@ -43,10 +43,11 @@ ScoredCase scored_case(const std::string& kind, const std::string& effect, std::
 // blooming or of the vessel's radius): all are found. "Unknown" is an honest answer to one of
 // three, another name is not. Among three effects only, a wider device that bloomed is as
 // probable as a narrower vessel, and a wider device beside the push may be: those two have the
-// whole catalogue, in which a pair is one of many.
+// whole catalogue, in which a pair is one of many. The push lies 0.3 mm from the neck's middle;
+// further off a surface does not tell its place.
 TEST(BlindCases, AreSolvedWhereTheEffectIsStrong)
 {
-    const std::vector<ScoredCase> cases = {scored_case("single", "local_push", 101, {}),
+    const std::vector<ScoredCase> cases = {scored_case("single", "local_push", 111, {}),
                                            scored_case("single", "blooming", 102),
                                            scored_case("single", "vessel_offset", 103, {})};
     const SingleScore score = score_of(cases).all_singles;
