@@ -81,8 +81,12 @@ void print_release(const ReleaseSchedule& schedule)
                    1e3 * (twist.centre + twist.half_width));
     }
     for (const IncompleteOpening& opening : schedule.incomplete_openings) {
-        fmt::print("  {} {:.4g} mm not fully open, by {:.4g} of the radius at the end\n",
-                   name_of(opening.end), 1e3 * opening.length, opening.shrink);
+        fmt::print("  {} {:.4g} mm not fully open, by {:.4g} of the radius at the end{}\n",
+                   name_of(opening.end), 1e3 * opening.length, opening.shrink,
+                   opening.lean > 0.0
+                       ? fmt::format(", leaning by {:.4g} towards {:.4g} deg", opening.lean,
+                                     opening.lean_angle * 180.0 / std::numbers::pi)
+                       : "");
     }
 }
 
