@@ -61,8 +61,7 @@ Verdict decide(const std::vector<NamedEvidence>& named, double log_evidence_unkn
     if (beside_unknown) {
         // Those that need no unknown effect to explain about as much.
         const double lack = std::max(options.margin, options.unknown_share * unknown);
-        const double least = in_scalars_only ? std::max(0.0, unknown - lack)
-                                             : std::max(options.effect_bar, unknown - lack);
+        const double least = std::max(in_scalars_only ? 0.0 : options.effect_bar, unknown - lack);
         std::erase_if(ordered, [&](const NamedEvidence& one) {
             return !options.offers_unknown || one.log_evidence < least;
         });
