@@ -14,9 +14,7 @@
 #include "cli/unfinished_work.hpp"
 #include "core/error.hpp"
 #include "core/file_hash.hpp"
-#include "discrepancy/artefacts.hpp"
 #include "discrepancy/diagnosis.hpp"
-#include "discrepancy/hub_slopes.hpp"
 #include "discrepancy/measured_surface.hpp"
 #include "discrepancy/measurement_check.hpp"
 #include "discrepancy/noise_calibration.hpp"
@@ -105,19 +103,13 @@ void learn_noise_floor(const fs::path& case_file, const DiagnoseCommand& command
     const Simulation base = simulate(model, lumen);
     std::vector<CalibrationSet> sets;
     for (const fs::path& file : command.measured) {
-        Observations observations;
-        observations.points = read_measured_surface(file, unit_of(command));
+        std::vector<Vec3> points = read_measured_surface(file, unit_of(command));
         try {
-            require_comparable(observations.points, model.imaging, base, lumen);
+            require_comparable(points, model.imaging, base, lumen);
         } catch (const InputError& error) {
             throw InputError(fmt::format("{}: {}", file.string(), error.what()));
         }
-        observations.field = make_discrepancy_field(observations.points, model.imaging, base);
-        leave_out_artefacts(observations,
-                            residuals(observations, base, model.imaging, base.surface), {});
-        set_hub_slopes(observations, model, base, lumen);
-        Eigen::VectorXd measured = residuals(observations, base, model.imaging, base.surface);
-        sets.push_back({std::move(observations), std::move(measured)});
+        sets.push_back(calibration_set(std::move(points), {}, model, base, lumen));
     }
     progress.begin("calibrate", "learning the noise floor");
     const NoiseFloor floor = calibrate_noise_floor(sets);

@@ -1,6 +1,7 @@
 #include "discrepancy/effect_fit.hpp"
 
 #include "discrepancy/effect_roughness.hpp"
+#include "discrepancy/fingerprint.hpp"
 #include "discrepancy/laplace_evidence.hpp"
 
 #include <Eigen/Dense>
@@ -15,8 +16,8 @@
 namespace braidzone {
 namespace {
 
-/// A start that takes less off the misfit is not worth a fit.
-constexpr double least_reduction = 2.0;
+/// A start whose fingerprint takes less off half the misfit is not worth a fit.
+constexpr double least_gain = 2.5;
 /// A start from which the linearised problem takes less off half the misfit is left where it is.
 constexpr double least_promise = 1.0;
 
@@ -83,7 +84,24 @@ bool lie_apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
     return (a - b).tail(a.size() - 1).norm() > 0.0;
 }
 
-/// The starts that leave the smallest misfit, best first; none if no start helps.
+/// A start at the size at which its fingerprint fits best, if it leaves a smaller misfit than the
+/// start as it is: one may be far stronger than what is there.
+Eigen::VectorXd at_best_size(EffectResiduals& residuals, const FitData& data,
+                             std::vector<double> values, double size)
+{
+    const Eigen::VectorXd start = residuals.scaled(values);
+    values.front() *= size;
+    const Eigen::VectorXd sized = residuals.scaled(values);
+    const std::vector<Eigen::VectorXd> both = residuals.at({start, sized});
+    if (both[1].size() == 0) return start;
+    const auto misfit = [&](const Eigen::VectorXd& left) {
+        return data.whitening(left).squaredNorm();
+    };
+    return misfit(both[1]) < misfit(both[0]) ? sized : start;
+}
+
+/// The starts whose fingerprints promise most, best first, at places of their own; none if no
+/// start helps.
 std::vector<Eigen::VectorXd> best_starts(EffectResiduals& residuals, const Candidate& candidate,
                                          const FitData& data, const FitOptions& options)
 {
@@ -91,23 +109,22 @@ std::vector<Eigen::VectorXd> best_starts(EffectResiduals& residuals, const Candi
     for (const auto& values : candidate.starts)
         starts.push_back(residuals.scaled(values));
     if (starts.size() == 1) return starts;
-    const double base = data.whitening(data.base).squaredNorm();
+    const Eigen::VectorXd z = data.whitening(data.base);
     const std::vector<Eigen::VectorXd> simulated = residuals.at(starts);
-    std::vector<std::pair<double, std::size_t>> misfits;
+    std::vector<std::pair<FingerprintGain, std::size_t>> promises;
     for (std::size_t i = 0; i < starts.size(); ++i) {
-        if (simulated[i].size() > 0)
-            misfits.emplace_back(data.whitening(simulated[i]).squaredNorm(), i);
+        if (simulated[i].size() == 0) continue;
+        promises.emplace_back(fingerprint_gain(data.whitening(data.base - simulated[i]), z), i);
     }
-    std::stable_sort(misfits.begin(), misfits.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(promises.begin(), promises.end(),
+                     [](const auto& a, const auto& b) { return a.first.gain > b.first.gain; });
     std::vector<Eigen::VectorXd> best;
-    for (const auto& [misfit, i] : misfits) {
-        if (base - misfit < least_reduction || static_cast<int>(best.size()) == options.num_starts)
-            break;
+    for (const auto& [promise, i] : promises) {
+        if (promise.gain < least_gain || static_cast<int>(best.size()) == options.num_starts) break;
         const Eigen::VectorXd& start = starts[i];
         if (std::all_of(best.begin(), best.end(),
                         [&](const Eigen::VectorXd& other) { return lie_apart(start, other); })) {
-            best.push_back(start);
+            best.push_back(at_best_size(residuals, data, candidate.starts[i], promise.size));
         }
     }
     return best;

@@ -52,7 +52,7 @@ std::vector<ActiveEffect> active_effects(const EffectFit& fit);
 std::vector<EffectParameter> parameters_of(const EffectFit& fit);
 
 struct FitOptions {
-    int num_starts = 3;  ///< fitted out of the starts, those that leave the smallest misfit
+    int num_starts = 3;  ///< fitted out of the starts, those whose fingerprints promise most
     int max_iterations = 8;
 };
 
@@ -60,10 +60,11 @@ struct FitOptions {
 /// the whitened residuals, with a row for each normal prior and derivatives by finite differences
 /// of `EffectParameter::step`, large against the simulation's roughness.
 ///
-/// A candidate with several starts is simulated at each; those that leave the smallest misfit, at
-/// places of their own, are fitted, none if no start takes 2 or more off the sum of squares. A
-/// start that leaves a small misfit is a fingerprint at a finite amplitude: contact makes that of
-/// an infinitesimal one misleading. From a start at which the linearised problem promises less than
+/// A candidate with several starts is simulated at each: fingerprints at finite amplitudes, as
+/// contact makes that of an infinitesimal one misleading. Those that promise most
+/// (`fingerprint.hpp`), at places of their own, are fitted from the amplitude at which they promise
+/// it, or from their own if that leaves less; none if no start promises to take 2.5 or more off
+/// half the sum of squares. From a start at which the linearised problem promises less than
 /// 1 off half the sum of squares no step is taken.
 ///
 /// Its log evidence is Laplace's, with parameters scaled by their priors, whitened residuals z, S

@@ -1,5 +1,6 @@
 #include "discrepancy/effect_search.hpp"
 
+#include "discrepancy/fingerprint.hpp"
 #include "discrepancy/implementation_error.hpp"
 #include "discrepancy/laplace_evidence.hpp"
 #include "discrepancy/linear_refit.hpp"
@@ -35,16 +36,6 @@ struct Addition {
     double promise = 0.0;
 };
 
-/// What a fingerprint F takes off half the sum of squares of z, at up to twice its size.
-double gain_of(const Eigen::VectorXd& fingerprint, const Eigen::VectorXd& z)
-{
-    const double square = fingerprint.squaredNorm();
-    if (!(square > 0.0)) return 0.0;
-    const double along = fingerprint.dot(z);
-    const double size = std::clamp(along / square, 0.0, 2.0);
-    return size * along - 0.5 * size * size * square;
-}
-
 /// The most promising simulation of a candidate alone for the residuals that a set leaves.
 Addition best_addition(const EffectFit& set, const EffectFit& single, const Eigen::VectorXd& base,
                        const Whitening& whitening)
@@ -53,7 +44,7 @@ Addition best_addition(const EffectFit& set, const EffectFit& single, const Eige
     Addition best{.start = active_effects(set)};
     std::vector<double> values = single.effects.front().values;
     for (const Trial& trial : single.trials) {
-        const double gain = gain_of(whitening(base - trial.residuals), z);
+        const double gain = fingerprint_gain(whitening(base - trial.residuals), z).gain;
         if (gain <= best.promise) continue;
         best.promise = gain;
         values = trial.values;

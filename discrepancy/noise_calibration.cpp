@@ -1,8 +1,10 @@
 #include "discrepancy/noise_calibration.hpp"
 
 #include "core/error.hpp"
+#include "discrepancy/artefacts.hpp"
 #include "discrepancy/constant_search.hpp"
 #include "discrepancy/error_model.hpp"
+#include "discrepancy/hub_slopes.hpp"
 #include "discrepancy/whitening.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace braidzone {
 namespace {
@@ -39,6 +42,20 @@ double log_posterior(const std::vector<CalibrationSet>& sets, const NoiseFloor& 
 }
 
 }  // namespace
+
+CalibrationSet calibration_set(std::vector<Vec3> points, const MeasuredScalars& scalars,
+                               const Model& model, const Simulation& base, const Lumen& lumen)
+{
+    DiscrepancyField field = make_discrepancy_field(points, model.imaging, base);
+    Observations observations{std::move(points), std::move(field), scalars};
+    const auto measured = [&] {
+        return residuals(observations, base, model.imaging, base.surface);
+    };
+    leave_out_artefacts(observations, measured(), {});
+    set_hub_slopes(observations, model, base, lumen);
+    Eigen::VectorXd left = measured();
+    return {std::move(observations), std::move(left)};
+}
 
 double log_likelihood(const CalibrationSet& set, const NoiseFloor& floor)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "discrepancy/lumen.hpp"
 #include "discrepancy/noise_floor.hpp"
 #include "discrepancy/observations.hpp"
 
@@ -14,6 +15,13 @@ struct CalibrationSet {
     Observations observations;
     Eigen::VectorXd residuals;  ///< [m]
 };
+
+/// The set of a scan, as a diagnosis would see it: in patches without those of something else
+/// (`leave_out_artefacts`), with the slopes of the hubs.
+/// @param base  simulation of the model
+/// @throws what `simulate` throws
+CalibrationSet calibration_set(std::vector<Vec3> points, const MeasuredScalars& scalars,
+                               const Model& model, const Simulation& base, const Lumen& lumen);
 
 /// Learns the noise floor: its constants maximise the probability of the sets' residuals, r ~
 /// N(0, C), with a log-normal prior of factor 3 on each constant about the shipped value, which

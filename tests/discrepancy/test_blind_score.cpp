@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 
 namespace braidzone::blind {
 namespace {
@@ -118,15 +119,23 @@ TEST(BlindScore, CountsPairs)
     EXPECT_EQ(score.pairs.one.of, 4);
 }
 
-TEST(BlindScore, CountsPairsThatShowBesides)
+TEST(BlindScore, SortsCasesByTheFainterEffect)
 {
-    const CaseTruth pair{"pair", {{"local_push"}, {"blooming"}}};
-    const CaseTruth hardly{"pair", {{"braid_ratio"}, {"blooming"}}};
-    const Score score =
-        score_of({{pair, names({{"blooming", "local_push"}})}, {hardly, names({{"blooming"}})}});
+    const CaseTruth plain{"pair", {{"local_push"}, {"blooming"}}, {9.0, 6.0}};
+    const CaseTruth hardly{"pair", {{"braid_ratio"}, {"blooming"}}, {0.7, 11.0}};
+    const CaseTruth faint{"single", {{"blooming"}}, {3.9}};
+    const Score score = score_of({{plain, names({{"blooming", "local_push"}})},
+                                  {hardly, names({{"blooming"}})},
+                                  {faint, nothing},
+                                  {single("blooming"), names({{"blooming"}})}});
     EXPECT_EQ(score.pairs.both.of, 2);
-    EXPECT_EQ(score.pairs_that_show.both.count, 1);
-    EXPECT_EQ(score.pairs_that_show.both.of, 1);
+    EXPECT_EQ(score.pairs_by_detectability[3].both.count, 1);
+    EXPECT_EQ(score.pairs_by_detectability[3].both.of, 1);
+    EXPECT_EQ(score.pairs_by_detectability[0].one.count, 1);
+    EXPECT_EQ(score.singles_by_detectability[1].detected.of, 1);
+    EXPECT_EQ(score.singles_by_detectability[3].detected.of, 0);
+    EXPECT_EQ(score.all_singles.detected.of, 2);
+    EXPECT_THAT(score_text(score), HasSubstr("| 3 to 4 | 0/1 = 0.0 % "));
 }
 
 TEST(BlindScore, CountsASingleEffectThatIsNamedWithAnother)
@@ -171,16 +180,36 @@ TEST(BlindPlan, HoldsWhatIsAsked)
     EXPECT_THROW(make_plan({.per_effect = 1, .effects = {"luck"}}, 1), InputError);
 }
 
+TEST(BlindPlan, DrawsAnotherPairOfTheSameSizes)
+{
+    const PlannedCase pair{
+        "pair",
+        {{"local_push", hidden::EffectSize::medium}, {"braid_ratio", hidden::EffectSize::strong}}};
+    std::set<std::string> firsts;
+    for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+        const PlannedCase other = another_pair(pair, seed);
+        ASSERT_EQ(other.effects.size(), 2u);
+        EXPECT_EQ(other.kind, "pair");
+        EXPECT_NE(other.effects[0].name, other.effects[1].name);
+        EXPECT_EQ(other.effects[0].size, hidden::EffectSize::medium);
+        EXPECT_EQ(other.effects[1].size, hidden::EffectSize::strong);
+        firsts.insert(other.effects[0].name);
+    }
+    EXPECT_GT(firsts.size(), 5u);
+}
+
 TEST(BlindFiles, KeepTruthsAndAnswers)
 {
     const test::TemporaryFolder folder;
-    const CaseTruth truth = single("local_push", {{"centre", 15e-3}});
+    CaseTruth truth = single("local_push", {{"centre", 15e-3}});
+    truth.detectability = {4.25};
     std::ofstream(folder.path() / "truth.json") << truth_text(truth, 42);
     const CaseTruth read = read_truth(folder.path() / "truth.json");
     EXPECT_EQ(read.kind, "single");
     EXPECT_EQ(read.effects.front().name, "local_push");
     EXPECT_EQ(read.effects.front().size, hidden::EffectSize::medium);
     EXPECT_EQ(read.effects.front().values, truth.effects.front().values);
+    EXPECT_EQ(read.detectability, truth.detectability);
 
     Answer answer = names({{"local_push", "blooming"}, {"sliding"}}, true);
     answer.fits["sliding"] = {.log_evidence = 3.0,

@@ -65,6 +65,22 @@ TEST(FitTogether, IsTheNormalPosteriorOfBoth)
     EXPECT_NEAR(fit.log_evidence, exact_evidence(both, linear.data), 1e-6);
 }
 
+// Starts of 20 and 25 where 3 is there leave more than no effect does, but their fingerprint fits.
+TEST(FitEffect, BeginsAtStartsThatAreFarTooStrong)
+{
+    const test::LinearProblem linear = test::three_bumps(0.0, 3.0, 0.0, 5);
+    DiagnosisProblem problem = linear.problem();
+    problem.candidates[1].starts = {{20.0}, {25.0}};
+    const EffectFit fit =
+        fit_effect(problem, Whitening(problem.covariance), data_of(linear), 1, {});
+    const Eigen::VectorXd bump = linear.fingerprints.col(1);
+    ASSERT_GT((linear.data - 20.0 * bump).norm(), linear.data.norm());
+    // Where the fingerprint fits best the prior is all that is left: it promises too little a step.
+    const double precision = bump.squaredNorm() + 0.01;
+    EXPECT_NEAR(fit.effects[0].values[0], bump.dot(linear.data) / precision,
+                0.05 / std::sqrt(precision));
+}
+
 // A start that promises nothing is left where it is, at the price of the derivatives alone.
 TEST(FitEffect, TakesNoStepWhereNothingIsPromised)
 {

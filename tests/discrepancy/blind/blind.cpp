@@ -1,6 +1,7 @@
 // Hidden cases: makes them, has them diagnosed, and scores the answers; see README.md beside this.
 //
 //     blind make DATA TRUTH --seed N [--per-effect N --none N --outside N --pairs N]
+//                           [--least-detectability D]
 //     blind calibrate NOISE.json --seed N --sets N
 //     blind diagnose DATA ANSWERS [--noise NOISE.json] [--further] [--without EFFECT]
 //                           [--jobs N]
@@ -9,10 +10,9 @@
 
 #include "core/error.hpp"
 #include "core/file_hash.hpp"
-#include "discrepancy/artefacts.hpp"
+#include "discrepancy/blind/detectability.hpp"
 #include "discrepancy/blind/plan.hpp"
 #include "discrepancy/blind/score.hpp"
-#include "discrepancy/hub_slopes.hpp"
 #include "discrepancy/noise_calibration.hpp"
 #include "support/hidden/spacing_stretch.hpp"
 
@@ -22,6 +22,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
 #include <thread>
@@ -34,6 +35,7 @@ constexpr const char* digests_name = "truths.sha256";
 struct Arguments {
     fs::path data, truth, answers, noise;
     PlanSizes sizes;
+    double least_detectability = 0.0;
     std::uint32_t seed = 0;
     int num_sets = 60;
     int jobs = 1;
@@ -62,15 +64,22 @@ std::uint32_t seed_of(std::uint32_t first, std::size_t number)
     return one.front();
 }
 
+struct SealedCase {
+    hidden::HiddenCase made;
+    CaseTruth truth;
+};
+
 /// A case of the plan. Two strong effects may leave a device nowhere to lie; then another vessel is
 /// tried, and said so.
-hidden::HiddenCase made_case(const PlannedCase& planned, const std::string& name,
-                             std::uint32_t seed)
+SealedCase made_case(const PlannedCase& planned, const std::string& name, std::uint32_t seed)
 {
     constexpr std::size_t most_trials = 5;
     for (std::size_t trial = 1;; ++trial) {
         try {
-            return hidden::random_case(planned.effects, trial == 1 ? seed : seed_of(seed, trial));
+            hidden::HiddenCase made =
+                hidden::random_case(planned.effects, trial == 1 ? seed : seed_of(seed, trial));
+            CaseTruth truth{planned.kind, made.effects, detectability(made, planned.effects)};
+            return {std::move(made), std::move(truth)};
         } catch (const std::runtime_error& error) {
             if (trial == most_trials) throw;
             fmt::print(stderr, "{}: {}; with another vessel\n", name, error.what());
@@ -78,49 +87,58 @@ hidden::HiddenCase made_case(const PlannedCase& planned, const std::string& name
     }
 }
 
+/// True if an effect of the case is fainter than a limit.
+bool has_fainter(const CaseTruth& truth, double least)
+{
+    return std::any_of(truth.detectability.begin(), truth.detectability.end(),
+                       [&](double index) { return index < least; });
+}
+
 void make(const Arguments& arguments)
 {
     const std::vector<PlannedCase> plan = make_plan(arguments.sizes, arguments.seed);
+    std::atomic<int> num_drawn = arguments.sizes.pairs;
     fs::create_directories(arguments.data);
     fs::create_directories(arguments.truth);
     std::vector<std::string> digests(plan.size());
     tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t i) {
         const std::string name = fmt::format("{:04}", i + 1);
         const std::uint32_t seed = seed_of(arguments.seed, i);
-        const hidden::HiddenCase made = made_case(plan[i], name, seed);
-        write_case(made, hidden::further_data(made, seed_of(seed, 0)), arguments.data / name);
+        SealedCase one = made_case(plan[i], name, seed);
+        std::uint32_t next = seed;
+        while (plan[i].kind == "pair" && has_fainter(one.truth, arguments.least_detectability)) {
+            next = seed_of(next, i);
+            one = made_case(another_pair(plan[i], next), name, next);
+            ++num_drawn;
+        }
+        write_case(one.made, hidden::further_data(one.made, seed_of(seed, 0)),
+                   arguments.data / name);
         std::mt19937_64 salt(seed);
-        const std::string truth = truth_text({plan[i].kind, made.effects}, salt());
+        const std::string truth = truth_text(one.truth, salt());
         write_text(arguments.truth / (name + ".json"), truth);
         digests[i] = fmt::format("{}  {}.json\n", sha256_of_text(truth), name);
     });
     write_text(arguments.data / digests_name, fmt::format("{}", fmt::join(digests, "")));
     fmt::print("{} cases in {}, their truths in {}\n", plan.size(), arguments.data.string(),
                arguments.truth.string());
+    fmt::print("{} pairs of {} that were drawn: the others have an effect of d' < {}\n",
+               arguments.sizes.pairs, num_drawn.load(), arguments.least_detectability);
 }
 
 /// A measurement without an effect, as a set to learn from.
-CalibrationSet calibration_set(std::uint32_t seed)
+CalibrationSet random_set(std::uint32_t seed)
 {
     const hidden::HiddenCase made = hidden::random_case({}, seed);
     const Model model = believed_model(made.belief);
     const Lumen lumen = believed_lumen(made.belief.phantom);
-    const Simulation base = simulate(model, lumen);
-    CalibrationSet set;
-    set.observations = {made.scan.points, make_discrepancy_field(made.scan.points, {}, base),
-                        made.scan.ends};
-    leave_out_artefacts(set.observations, residuals(set.observations, base, {}, base.surface), {});
-    set_hub_slopes(set.observations, model, base, lumen);
-    set.residuals = residuals(set.observations, base, {}, base.surface);
-    return set;
+    return calibration_set(made.scan.points, made.scan.ends, model, simulate(model, lumen), lumen);
 }
 
 void calibrate(const Arguments& arguments)
 {
     std::vector<CalibrationSet> sets(static_cast<std::size_t>(arguments.num_sets));
-    tbb::parallel_for(std::size_t{0}, sets.size(), [&](std::size_t i) {
-        sets[i] = calibration_set(seed_of(arguments.seed, i));
-    });
+    tbb::parallel_for(std::size_t{0}, sets.size(),
+                      [&](std::size_t i) { sets[i] = random_set(seed_of(arguments.seed, i)); });
     write_text(arguments.noise, noise_floor_text(calibrate_noise_floor(sets)));
 }
 
@@ -213,6 +231,8 @@ void add_make(CLI::App& app, Arguments& arguments)
     verb.add_option("--none", arguments.sizes.none);
     verb.add_option("--outside", arguments.sizes.outside);
     verb.add_option("--pairs", arguments.sizes.pairs);
+    verb.add_option("--least-detectability", arguments.least_detectability,
+                    "d' of both effects of a pair");
     verb.callback([&] { make(arguments); });
 }
 

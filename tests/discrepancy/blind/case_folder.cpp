@@ -147,7 +147,10 @@ CaseData read_case(const fs::path& folder, bool with_further)
 
 std::string truth_text(const CaseTruth& truth, std::uint64_t salt)
 {
-    Json json = {{"kind", truth.kind}, {"salt", salt}, {"effects", Json::array()}};
+    Json json = {{"kind", truth.kind},
+                 {"salt", salt},
+                 {"effects", Json::array()},
+                 {"detectability", truth.detectability}};
     for (const hidden::HiddenEffect& effect : truth.effects) {
         json["effects"].push_back(
             {{"name", effect.name}, {"size", name_of(effect.size)}, {"values", effect.values}});
@@ -171,6 +174,7 @@ CaseTruth read_truth(const fs::path& file)
             effect.values[name] = value;
         truth.effects.push_back(effect);
     }
+    truth.detectability = json.at("detectability").get<std::vector<double>>();
     return truth;
 }
 

@@ -37,6 +37,7 @@ struct CaseData {
 struct CaseTruth {
     std::string kind;
     std::vector<hidden::HiddenEffect> effects;
+    std::vector<double> detectability = {};  ///< of each: `detectability` (detectability.hpp)
 };
 
 /// The vessel that a user believes in, meshed as `braidzone phantom` does.

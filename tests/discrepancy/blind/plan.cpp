@@ -40,18 +40,26 @@ bool can_be_together(const std::string& first, const std::string& second)
     return first != second && !(is_spacing(first) && is_spacing(second));
 }
 
-PlannedCase random_pair(const std::vector<std::string>& names, int turn, std::mt19937& random)
+PlannedCase random_pair(hidden::EffectSize first_size, hidden::EffectSize second_size,
+                        std::mt19937& random)
 {
+    const std::vector<std::string> names = names_where(true);
     std::uniform_int_distribution<std::size_t> any(0, names.size() - 1);
     std::string first, second;
     do {
         first = names[any(random)];
         second = names[any(random)];
     } while (!can_be_together(first, second));
-    return {"pair", {{first, size_of_two(turn)}, {second, size_of_two(turn / 2)}}};
+    return {"pair", {{first, first_size}, {second, second_size}}};
 }
 
 }  // namespace
+
+PlannedCase another_pair(const PlannedCase& pair, std::uint32_t seed)
+{
+    std::mt19937 random(seed);
+    return random_pair(pair.effects.at(0).size, pair.effects.at(1).size, random);
+}
 
 std::vector<PlannedCase> make_plan(const PlanSizes& sizes, std::uint32_t seed)
 {
@@ -76,7 +84,7 @@ std::vector<PlannedCase> make_plan(const PlanSizes& sizes, std::uint32_t seed)
             {"outside", {{outside[static_cast<std::size_t>(i % kinds)], size_in_turn(i / kinds)}}});
     }
     for (int i = 0; i < sizes.pairs; ++i)
-        plan.push_back(random_pair(known, i, random));
+        plan.push_back(random_pair(size_of_two(i), size_of_two(i / 2), random));
     std::shuffle(plan.begin(), plan.end(), random);
     return plan;
 }

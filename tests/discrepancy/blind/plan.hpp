@@ -23,6 +23,9 @@ struct PlannedCase {
     std::vector<hidden::EffectChoice> effects;
 };
 
+/// Another two effects, of the same sizes.
+PlannedCase another_pair(const PlannedCase& pair, std::uint32_t seed);
+
 /// Cases in random order, so that a case's number tells nothing; sizes weak, medium and strong in
 /// turn.
 /// @throws InputError for an effect that is not known

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <set>
 
@@ -93,6 +94,16 @@ void add_pair(const ScoredCase& one, PairScore& score)
     score.wrong.add(some_wrong);
 }
 
+/// Of the case's fainter effect; none if it was not measured.
+std::optional<std::size_t> detectability_class(const CaseTruth& truth)
+{
+    if (truth.detectability.empty()) return std::nullopt;
+    const double least = *std::min_element(truth.detectability.begin(), truth.detectability.end());
+    const auto end =
+        std::upper_bound(detectability_bounds.begin(), detectability_bounds.end(), least);
+    return static_cast<std::size_t>(end - detectability_bounds.begin());
+}
+
 double median(std::vector<double> values)
 {
     if (values.empty()) return std::nan("");
@@ -145,6 +156,29 @@ constexpr const char* single_head =
     "| hidden | detected | right first, of detected | of named | in a set | place off by [mm], "
     "median | within 1 mm | in 90 % interval | RMS before / after / oracle [mm], medians | share "
     "of the oracle's closure |\n|---|---|---|---|---|---|---|---|---|---|\n";
+
+std::string detectability_table(const Score& score)
+{
+    std::string text =
+        "\n## By detectability d' of the effect, of the fainter one of a pair\n\n| d' | single "
+        "effects "
+        "detected | right first, of detected | pairs: both and nothing else | at least one, none "
+        "wrong |\n|---|---|---|---|---|\n";
+    double from = 0.0;
+    for (std::size_t i = 0; i < score.singles_by_detectability.size(); ++i) {
+        const bool is_last = i == detectability_bounds.size();
+        const double to = is_last ? 0.0 : detectability_bounds[i];
+        const SingleScore& single = score.singles_by_detectability[i];
+        const PairScore& pair = score.pairs_by_detectability[i];
+        text += fmt::format(
+            "| {} | {} | {} | {} | {} |\n",
+            is_last ? fmt::format("{} and more", from) : fmt::format("{} to {}", from, to),
+            rate_text(single.detected), rate_text(single.first), rate_text(pair.both),
+            rate_text(pair.one));
+        from = to;
+    }
+    return text;
+}
 
 /// Numbered columns, with rows in the same order, so that it stays narrow.
 std::string confusion_text(const std::map<std::string, std::map<std::string, int>>& confusion,
@@ -216,7 +250,8 @@ Score score_of(const std::vector<ScoredCase>& cases)
         if (one.answer.finding == "error") ++score.errors;
         if (truth.kind == "pair") {
             add_pair(one, score.pairs);
-            if (!names_of(truth).contains("braid_ratio")) add_pair(one, score.pairs_that_show);
+            if (const auto k = detectability_class(truth))
+                add_pair(one, score.pairs_by_detectability[*k]);
             continue;
         }
         ++score.confusion[label_of(truth)][first_answer(one.answer)];
@@ -229,6 +264,8 @@ Score score_of(const std::vector<ScoredCase>& cases)
         if (truth.kind == "single") {
             add_single(one, score.singles[label_of(truth)]);
             add_single(one, score.all_singles);
+            if (const auto k = detectability_class(truth))
+                add_single(one, score.singles_by_detectability[*k]);
             add_single(one, score.by_size[std::string(name_of(truth.effects.front().size))]);
         }
     }
@@ -270,10 +307,10 @@ std::string score_text(const Score& score)
         text += fmt::format("| - {} | {} |\n", kind, rate_text(rate));
     text += fmt::format(
         "| pairs: both and nothing else | {} |\n| pairs: at least one, none wrong | {} |\n| pairs: "
-        "something wrong | {} |\n| pairs without braid_ratio: both and nothing else | {} |\n| - at "
-        "least one, none wrong | {} |\n| failed to answer | {} |\n",
+        "something wrong | {} |\n| failed to answer | {} |\n",
         rate_text(score.pairs.both), rate_text(score.pairs.one), rate_text(score.pairs.wrong),
-        rate_text(score.pairs_that_show.both), rate_text(score.pairs_that_show.one), score.errors);
+        score.errors);
+    text += detectability_table(score);
     text += "\n## Confusion matrix: truth down, first answer across\n\n" +
             confusion_text(score.confusion, false);
     text += "\n## Inversion matrix: share of the truths behind each first answer\n\n" +

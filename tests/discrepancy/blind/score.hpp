@@ -2,6 +2,7 @@
 
 #include "discrepancy/blind/answer.hpp"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -58,6 +59,10 @@ struct PairScore {
     Rate wrong;  ///< first answer holds a wrong effect
 };
 
+/// Where classes of detectability d' end: hidden; near the limit of 3.4 (`detectability.hpp`);
+/// faint; plain.
+inline constexpr std::array<double, 3> detectability_bounds = {3.0, 4.0, 6.0};
+
 struct Score {
     std::map<std::string, SingleScore> singles;  ///< by effect
     SingleScore all_singles;
@@ -66,7 +71,9 @@ struct Score {
     Rate wrong_without_flag;  ///< of cases outside the catalogue: a name, no unexplained rest
     std::map<std::string, Rate> wrong_without_flag_by_kind;
     PairScore pairs;
-    PairScore pairs_that_show;  ///< those without braid_ratio, which alone is never seen
+    /// By what the fainter effect of a case shows, in the order of `detectability_bounds`.
+    std::array<SingleScore, 4> singles_by_detectability;
+    std::array<PairScore, 4> pairs_by_detectability;
     /// Counts by truth and first answer, of all but pairs.
     std::map<std::string, std::map<std::string, int>> confusion;
     int errors = 0;

@@ -36,6 +36,30 @@ void set_registration(HiddenCase& made)
     }
 }
 
+/// What happens in a random vessel. An effect that is left out draws its numbers all the same.
+HiddenStory random_story(std::span<const EffectChoice> effects, std::optional<std::size_t> left_out,
+                         std::mt19937& random)
+{
+    HiddenStory story = story_of(random_belief(random));
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+        HiddenStory elsewhere = story;
+        hide(effects[i].name, effects[i].size, left_out == i ? elsewhere : story, random);
+    }
+    return story;
+}
+
+ScanErrors without_scatter(ScanErrors errors)
+{
+    errors.num_points = 8000;
+    errors.num_holes = 0;
+    errors.streak_width = errors.missing_end = errors.unevenness = 0.0;
+    errors.noise_sd = errors.bias_sd = errors.voxel_pull = 0.0;
+    errors.shift_sd = errors.angle_sd = 0.0;
+    errors.outlier_share = errors.artefact_share = 0.0;
+    errors.end_sd = 0.0;
+    return errors;
+}
+
 }  // namespace
 
 Belief random_belief(std::mt19937& random)
@@ -114,11 +138,22 @@ FurtherData further_data(const HiddenCase& made, std::uint32_t seed)
 HiddenCase random_case(std::span<const EffectChoice> effects, std::uint32_t seed)
 {
     std::mt19937 random(seed);
-    HiddenStory story = story_of(random_belief(random));
-    for (const EffectChoice& effect : effects)
-        hide(effect.name, effect.size, story, random);
+    HiddenStory story = random_story(effects, std::nullopt, random);
     const ScanErrors errors = random_scan_errors(random);
-    return made_case(std::move(story), {}, errors, random);
+    HiddenCase made = made_case(std::move(story), {}, errors, random);
+    made.seed = seed;
+    return made;
+}
+
+HiddenCase clean_case(std::span<const EffectChoice> effects, std::uint32_t seed,
+                      std::optional<std::size_t> left_out)
+{
+    std::mt19937 random(seed);
+    HiddenStory story = random_story(effects, left_out, random);
+    HiddenCase made =
+        made_case(std::move(story), {}, without_scatter(random_scan_errors(random)), random);
+    made.seed = seed;
+    return made;
 }
 
 }  // namespace braidzone::hidden

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -32,6 +33,7 @@ struct HiddenCase {
     std::vector<HiddenEffect> effects;
     HiddenDevice device;
     FlowDiverter true_device;  ///< that was placed
+    std::uint32_t seed = 0;    ///< of a random case
 };
 
 /// What may be measured besides the scan, in its frame.
@@ -59,5 +61,11 @@ HiddenCase made_case(HiddenStory story, const Background& background, const Scan
 
 /// A case of a random vessel with effects hidden in it; none for a case without.
 HiddenCase random_case(std::span<const EffectChoice> effects, std::uint32_t seed);
+
+/// The same case with a scan that is dense all over the device, neither noisy nor misplaced, and
+/// ends that are exact: two of these differ by effects alone.
+/// @param left_out  index of an effect that did not happen
+HiddenCase clean_case(std::span<const EffectChoice> effects, std::uint32_t seed,
+                      std::optional<std::size_t> left_out = std::nullopt);
 
 }  // namespace braidzone::hidden
