@@ -219,7 +219,8 @@ std::optional<EffectFit> fit_at(EffectResiduals& residuals, const DiagnosisProbl
     std::vector<bool> is_uniform;
     for (const EffectParameter& parameter : residuals.parameters())
         is_uniform.push_back(parameter.is_uniform);
-    fit.log_evidence = log_bayes_factor(data.whitening(data.base), z, slope, x, is_uniform);
+    fit.log_evidence = fit.log_evidence_together =
+        log_bayes_factor(data.whitening(data.base), z, slope, x, is_uniform);
     return fit;
 }
 

@@ -35,6 +35,9 @@ struct EffectFit {
     Eigen::MatrixXd derivatives;  ///< of the residuals by x there
     double chi_square = 0.0;      ///< of the whitened residuals
     double log_evidence = 0.0;    ///< natural logarithm of the Bayes factor against no effect
+    /// The same of all effects at once, whatever was made of `log_evidence` (`find_sets`,
+    /// `explain`).
+    double log_evidence_together = 0.0;
     std::vector<FitMode> modes;   ///< where the fits from all starts ended
     std::vector<Trial> trials;    ///< what was simulated on the way
     int num_runs = 0;             ///< simulations that it took

@@ -115,7 +115,7 @@ EffectFit fit_rough_effect(const DiagnosisProblem& problem, const Eigen::VectorX
     fit.effects.front().values = residuals.values(fit.x);
     fit.effects.front().sd = {posterior.sd() * known.parameters.front().prior_sd *
                               known.interval_factor};
-    fit.log_evidence = posterior.log_evidence;
+    fit.log_evidence = fit.log_evidence_together = posterior.log_evidence;
     fit.chi_square = whitening_with(problem, active_effects(fit))(fit.residuals).squaredNorm();
     fit.modes = {{fit.effects.front().values, fit.log_evidence}};
     fit.trials = residuals.trials();

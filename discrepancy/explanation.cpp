@@ -37,6 +37,21 @@ std::vector<EffectFit> fit_singles(const DiagnosisProblem& problem, const Whiten
     return fits;
 }
 
+/// Makes the log evidence of each fit that of its effects at once, their shapes right or, as
+/// probably, off by a share. Sets become comparable by it: what `find_sets` adds up depends on the
+/// order in which it found a set's effects.
+void doubt_shapes(const DiagnosisProblem& problem, const Whitening& whitening,
+                  const Eigen::VectorXd& base, std::vector<EffectFit>& fits)
+{
+    tbb::parallel_for(std::size_t{0}, fits.size(), [&](std::size_t i) {
+        EffectFit& fit = fits[i];
+        if (!fit.failure.empty()) return;
+        fit.log_evidence =
+            log_of_mean({fit.log_evidence_together,
+                         evidence_with_shape_error(problem, whitening, base, fit, shape_error)});
+    });
+}
+
 /// True if something may be missing: otherwise there is no need to look for several effects.
 bool may_miss_something(const Explanation& explanation, const VerdictOptions& bars)
 {
@@ -101,15 +116,7 @@ Explanation explain(const DiagnosisProblem& problem, const ExplainOptions& optio
 
     explanation.fits = fit_singles(problem, whitening, base, options);
     explanation.num_singles = explanation.fits.size();
-    if (options.doubts_shapes) {
-        tbb::parallel_for(std::size_t{0}, explanation.num_singles, [&](std::size_t i) {
-            EffectFit& fit = explanation.fits[i];
-            if (!fit.failure.empty()) return;
-            fit.log_evidence =
-                log_of_mean({fit.log_evidence, evidence_with_shape_error(problem, whitening, base,
-                                                                         fit, shape_error)});
-        });
-    }
+    if (options.doubts_shapes) doubt_shapes(problem, whitening, base, explanation.fits);
     const VerdictOptions bars = for_choice_among(explanation.num_singles, options.verdict);
     for (std::size_t i = 0; i < explanation.num_singles; ++i) {
         explanation.limits.push_back(detection_limit(
@@ -118,6 +125,7 @@ Explanation explain(const DiagnosisProblem& problem, const ExplainOptions& optio
     if (may_miss_something(explanation, bars)) {
         if (options.on_progress) options.on_progress("looking for several effects");
         std::vector<EffectFit> sets = find_sets(problem, base, explanation.fits, options.search);
+        if (options.doubts_shapes) doubt_shapes(problem, whitening, base, sets);
         std::move(sets.begin(), sets.end(), std::back_inserter(explanation.fits));
     }
     explanation.num_runs = 1;

@@ -14,8 +14,9 @@ namespace braidzone {
 struct ExplainOptions {
     SearchOptions search;
     VerdictOptions verdict;
-    /// Weighs each candidate alone as it is, and with an error of its shape
-    /// (`evidence_with_shape_error`), both alike probable.
+    /// Weighs each candidate alone, and each set's at once, as they are, and with an error of their
+    /// shape (`evidence_with_shape_error`), both alike probable. A set is otherwise weighed as
+    /// `find_sets` found it.
     bool doubts_shapes = false;
     /// Told of what is going on, from any thread, one call at a time.
     std::function<void(const std::string&)> on_progress = {};

@@ -112,11 +112,13 @@ TEST(BlindScore, CountsPairs)
     const Score score = score_of({{pair, names({{"blooming", "local_push"}})},
                                   {pair, names({{"blooming"}})},
                                   {pair, names({{"blooming", "sliding"}})},
+                                  {pair, names({{"sliding"}, {"blooming", "local_push"}})},
                                   {pair, something}});
     EXPECT_EQ(score.pairs.both.count, 1);
     EXPECT_EQ(score.pairs.one.count, 2);
-    EXPECT_EQ(score.pairs.wrong.count, 1);
-    EXPECT_EQ(score.pairs.one.of, 4);
+    EXPECT_EQ(score.pairs.wrong.count, 2);
+    EXPECT_EQ(score.pairs.in_set.count, 2);
+    EXPECT_EQ(score.pairs.one.of, 5);
 }
 
 TEST(BlindScore, SortsCasesByTheFainterEffect)

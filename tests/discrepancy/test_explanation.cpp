@@ -3,8 +3,10 @@
 
 #include "discrepancy/explanation.hpp"
 #include "discrepancy/held_out.hpp"
+#include "discrepancy/shape_error.hpp"
 #include "support/linear_problem.hpp"
 
+#include <Eigen/Dense>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,6 +54,34 @@ TEST(Explain, NamesTwoTogether)
     EXPECT_EQ(found.verdict.finding, Finding::named);
     ASSERT_EQ(found.verdict.answers.size(), 1u);
     EXPECT_THAT(found.verdict.answers[0].effects, testing::UnorderedElementsAre("a", "c"));
+}
+
+// Half the evidence is that of normal data, in closed form; the other half, with errors of the
+// shapes (`evidence_with_shape_error`), may add to it what it likes, but a set is not weighed in
+// the order in which its effects were found.
+TEST(Explain, WeighsASetAtOnceWhereShapesAreDoubted)
+{
+    const test::LinearProblem linear = test::three_bumps(3.0, 0.0, -4.0, 2);
+    const DiagnosisProblem problem = linear.problem();
+    ExplainOptions options;
+    options.doubts_shapes = true;
+    const Explanation found = explain(problem, options);
+    ASSERT_TRUE(found.best.has_value());
+    const EffectFit& both = found.fits[*found.best];
+    ASSERT_EQ(both.effects.size(), 2u);
+    Eigen::MatrixXd bumps(linear.data.size(), 2);
+    bumps << linear.fingerprints.col(0), linear.fingerprints.col(2);
+    const Eigen::MatrixXd covariance =
+        Eigen::MatrixXd::Identity(linear.data.size(), linear.data.size()) +
+        100.0 * bumps * bumps.transpose();
+    const double exact = 0.5 * linear.data.squaredNorm() -
+                         0.5 * linear.data.dot(covariance.llt().solve(linear.data)) -
+                         0.5 * std::log(covariance.determinant());
+    EXPECT_NEAR(both.log_evidence_together, exact, 1e-6);
+    const double doubting =
+        evidence_with_shape_error(problem, Whitening(problem.covariance), linear.data, both, 0.1);
+    EXPECT_NEAR(both.log_evidence, std::log(0.5 * std::exp(exact) + 0.5 * std::exp(doubting)),
+                1e-6);
 }
 
 TEST(Explain, NamesThreeTogetherButNoMoreThanAllowed)

@@ -121,8 +121,8 @@ void make(const Arguments& arguments)
     write_text(arguments.data / digests_name, fmt::format("{}", fmt::join(digests, "")));
     fmt::print("{} cases in {}, their truths in {}\n", plan.size(), arguments.data.string(),
                arguments.truth.string());
-    fmt::print("{} pairs of {} that were drawn: the others have an effect of d' < {}\n",
-               arguments.sizes.pairs, num_drawn.load(), arguments.least_detectability);
+    fmt::print("{} pairs were drawn until {} had no effect of d' < {}\n", num_drawn.load(),
+               arguments.sizes.pairs, arguments.least_detectability);
 }
 
 /// A measurement without an effect, as a set to learn from.

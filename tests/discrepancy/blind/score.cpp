@@ -92,6 +92,7 @@ void add_pair(const ScoredCase& one, PairScore& score)
     score.both.add(found == truth);
     score.one.add(!found.empty() && !some_wrong);
     score.wrong.add(some_wrong);
+    score.in_set.add(in_any_set(truth, one.answer));
 }
 
 /// Of the case's fainter effect; none if it was not measured.
@@ -160,10 +161,9 @@ constexpr const char* single_head =
 std::string detectability_table(const Score& score)
 {
     std::string text =
-        "\n## By detectability d' of the effect, of the fainter one of a pair\n\n| d' | single "
-        "effects "
-        "detected | right first, of detected | pairs: both and nothing else | at least one, none "
-        "wrong |\n|---|---|---|---|---|\n";
+        "\n## By detectability d' of the effect, of the fainter one of a pair\n\n"
+        "| d' | single effects detected | right first, of detected | pairs: both and nothing else "
+        "| at least one, none wrong |\n|---|---|---|---|---|\n";
     double from = 0.0;
     for (std::size_t i = 0; i < score.singles_by_detectability.size(); ++i) {
         const bool is_last = i == detectability_bounds.size();
@@ -307,9 +307,10 @@ std::string score_text(const Score& score)
         text += fmt::format("| - {} | {} |\n", kind, rate_text(rate));
     text += fmt::format(
         "| pairs: both and nothing else | {} |\n| pairs: at least one, none wrong | {} |\n| pairs: "
-        "something wrong | {} |\n| failed to answer | {} |\n",
+        "something wrong | {} |\n| pairs: both in a printed set | {} |\n| failed to answer | {} "
+        "|\n",
         rate_text(score.pairs.both), rate_text(score.pairs.one), rate_text(score.pairs.wrong),
-        score.errors);
+        rate_text(score.pairs.in_set), score.errors);
     text += detectability_table(score);
     text += "\n## Confusion matrix: truth down, first answer across\n\n" +
             confusion_text(score.confusion, false);

@@ -54,9 +54,10 @@ struct SingleScore {
 };
 
 struct PairScore {
-    Rate both;   ///< first answer: just these two
-    Rate one;    ///< first answer: at least one right, none wrong
-    Rate wrong;  ///< first answer holds a wrong effect
+    Rate both;    ///< first answer: just these two
+    Rate one;     ///< first answer: at least one right, none wrong
+    Rate wrong;   ///< first answer holds a wrong effect
+    Rate in_set;  ///< just these two among the alternatives
 };
 
 /// Where classes of detectability d' end: hidden; near the limit of 3.4 (`detectability.hpp`);
