@@ -38,9 +38,9 @@ struct EffectFit {
     /// The same of all effects at once, whatever was made of `log_evidence` (`find_sets`,
     /// `explain`).
     double log_evidence_together = 0.0;
-    std::vector<FitMode> modes;   ///< where the fits from all starts ended
-    std::vector<Trial> trials;    ///< what was simulated on the way
-    int num_runs = 0;             ///< simulations that it took
+    std::vector<FitMode> modes;  ///< where the fits from all starts ended
+    std::vector<Trial> trials;   ///< what was simulated on the way
+    int num_runs = 0;            ///< simulations that it took
     /// Why the effects could not be simulated; empty if they could.
     std::string failure;
 };

@@ -9,8 +9,8 @@ namespace braidzone {
 ///
 /// Coulomb's friction between wires and bench raises the force by some 2 % for each 0.1, and makes
 /// the curve rough, as crossings stick and slip one by one: by as much again, from one point to the
-/// next. That scatter tells its size, and less well than a fit believes: to hold 90 % of 24 simulated
-/// tests intervals had to be 2.5 times as wide. Prior 0.25: metal on metal, dry. Key:
+/// next. That scatter tells its size, and less well than a fit believes: to hold 90 % of 24
+/// simulated tests intervals had to be 2.5 times as wide. Prior 0.25: metal on metal, dry. Key:
 /// press.friction.
 ForceEffect friction_effect(const PressModel& base, double slip)
 {
