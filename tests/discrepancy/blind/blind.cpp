@@ -55,6 +55,11 @@ void write_text(const fs::path& file, const std::string& text)
     fs::rename(partial, file);
 }
 
+std::string case_name(std::size_t i)
+{
+    return fmt::format("{:04}", i + 1);
+}
+
 /// Different cases, whatever the first seed.
 std::uint32_t seed_of(std::uint32_t first, std::size_t number)
 {
@@ -64,6 +69,7 @@ std::uint32_t seed_of(std::uint32_t first, std::size_t number)
     return one.front();
 }
 
+/// A case and the truth about it.
 struct SealedCase {
     hidden::HiddenCase made;
     CaseTruth truth;
@@ -94,6 +100,28 @@ bool has_fainter(const CaseTruth& truth, double least)
                        [&](double index) { return index < least; });
 }
 
+/// Case i of the plan, a pair drawn anew until both of its effects are as detectable as asked for.
+/// @param num_drawn  counts these draws
+SealedCase drawn_case(const PlannedCase& planned, std::size_t i, const Arguments& arguments,
+                      std::atomic<int>& num_drawn)
+{
+    constexpr int most_draws = 100;
+    const std::string name = case_name(i);
+    std::uint32_t seed = seed_of(arguments.seed, i);
+    SealedCase one = made_case(planned, name, seed);
+    if (planned.kind != "pair") return one;
+    for (int draw = 1; has_fainter(one.truth, arguments.least_detectability); ++draw) {
+        if (draw == most_draws) {
+            throw InputError(fmt::format("{}: of {} pairs none has two effects of d' >= {}", name,
+                                         most_draws, arguments.least_detectability));
+        }
+        seed = seed_of(seed, i);
+        one = made_case(another_pair(planned, seed), name, seed);
+        ++num_drawn;
+    }
+    return one;
+}
+
 void make(const Arguments& arguments)
 {
     const std::vector<PlannedCase> plan = make_plan(arguments.sizes, arguments.seed);
@@ -102,15 +130,9 @@ void make(const Arguments& arguments)
     fs::create_directories(arguments.truth);
     std::vector<std::string> digests(plan.size());
     tbb::parallel_for(std::size_t{0}, plan.size(), [&](std::size_t i) {
-        const std::string name = fmt::format("{:04}", i + 1);
+        const std::string name = case_name(i);
         const std::uint32_t seed = seed_of(arguments.seed, i);
-        SealedCase one = made_case(plan[i], name, seed);
-        std::uint32_t next = seed;
-        while (plan[i].kind == "pair" && has_fainter(one.truth, arguments.least_detectability)) {
-            next = seed_of(next, i);
-            one = made_case(another_pair(plan[i], next), name, next);
-            ++num_drawn;
-        }
+        const SealedCase one = drawn_case(plan[i], i, arguments, num_drawn);
         write_case(one.made, hidden::further_data(one.made, seed_of(seed, 0)),
                    arguments.data / name);
         std::mt19937_64 salt(seed);

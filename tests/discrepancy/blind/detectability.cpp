@@ -47,8 +47,7 @@ Eigen::VectorXd change(const Observations& observations, const hidden::HiddenCas
 }  // namespace
 
 std::vector<double> detectability(const hidden::HiddenCase& made,
-                                  std::span<const hidden::EffectChoice> effects,
-                                  const NoiseFloor& floor)
+                                  std::span<const hidden::EffectChoice> effects)
 {
     if (effects.empty()) return {};
     const Model model = believed_model(made.belief);
@@ -57,7 +56,7 @@ std::vector<double> detectability(const hidden::HiddenCase& made,
     Observations observations{made.scan.points, make_discrepancy_field(made.scan.points, {}, base),
                               made.scan.ends};
     set_hub_slopes(observations, model, base, lumen);
-    const Whitening whitening(make_error_model(observations, floor).covariance());
+    const Whitening whitening(make_error_model(observations, NoiseFloor{}).covariance());
     const hidden::HiddenCase all = hidden::clean_case(effects, made.seed);
     std::vector<double> indices;
     for (std::size_t i = 0; i < effects.size(); ++i) {
