@@ -40,7 +40,8 @@ int count_cells(const FoamMesh& mesh);
 ///
 /// @param foam_case  the folder that holds constant/polyMesh
 /// @throws IoError if a file is missing or unreadable; InputError for a decomposed case (processor*
-///         folders without constant/polyMesh) or content that is not a mesh
+///         folders without constant/polyMesh) or what is no mesh of closed cells
+///         (`require_closed_mesh`)
 FoamMesh read_foam_mesh(const std::filesystem::path& foam_case);
 
 }  // namespace braidzone
