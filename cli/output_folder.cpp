@@ -17,12 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void require_no_file(const fs::path& folder)
+{
+    if (!fs::exists(fs::symlink_status(folder)) || fs::is_directory(folder)) return;
+    throw IoError(fmt::format("output folder {} is a file", folder.string()));
+}
+
 void require_replaceable(const fs::path& folder, bool force, const std::string& record)
 {
     if (!fs::exists(fs::symlink_status(folder))) return;
-    if (!fs::is_directory(folder)) {
-        throw IoError(fmt::format("output folder {} is a file", folder.string()));
-    }
     if (force || is_summary_of_a_run(folder / record) || is_recorded(folder, record)) return;
     throw IoError(
         fmt::format("output folder {} exists and no earlier run wrote it (it holds no "
@@ -89,6 +92,7 @@ OutputFolder::OutputFolder(const fs::path& wanted, const std::vector<InputFile>&
     std::error_code error;
     wanted_ = fs::weakly_canonical(absolute, error);
     if (error) wanted_ = absolute;
+    require_no_file(wanted_);
     require_holds_no_input(wanted_, inputs_);
     require_replaceable(wanted_, force, record);
 
