@@ -109,7 +109,7 @@ void calibrate_device(const std::filesystem::path& press_file,
     TextOutput output(
         options.output.value_or(
             std::filesystem::absolute(press_file).replace_extension(".calibration.json")),
-        options.force);
+        {{"press file", press_file}, {"measured curve", force_curve}}, options.force);
 
     Progress progress(options.quiet);
     progress.begin("calibrate", "fitting the spring coefficients");

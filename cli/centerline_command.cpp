@@ -56,7 +56,7 @@ void write_centerline_of(const CenterlineCommand& command, const CommonOptions& 
         throw ConfigError("--from and --to are needed together");
     }
     const auto wanted = options.output.value_or(default_output(command.surface));
-    OutputFiles files(options.force);
+    OutputFiles files({{"surface", command.surface}}, options.force);
     const auto unfinished = files.add(wanted);
 
     Progress progress(options.quiet);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/case_hash.hpp"
 #include "cli/pipeline.hpp"
 
 #include <filesystem>
@@ -44,6 +45,9 @@ struct DiagnoseCommand {
     /// learn from.
     std::vector<std::filesystem::path> force_curves, pressure_drops;
 };
+
+/// The files that a diagnosis reads besides its case.
+std::vector<InputFile> measured_files(const DiagnoseCommand& command);
 
 /// diagnose: finds where a measured device differs from the simulated one, names the missing effect
 /// and writes a case file with it.

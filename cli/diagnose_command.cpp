@@ -67,6 +67,14 @@ void write_effect_cases(const fs::path& folder, const Case& job, const Diagnosis
     }
 }
 
+std::vector<InputFile> inputs_of(const Case& job, const DiagnoseCommand& command)
+{
+    std::vector<InputFile> inputs = input_files(job);
+    const std::vector<InputFile> measured = measured_files(command);
+    inputs.insert(inputs.end(), measured.begin(), measured.end());
+    return inputs;
+}
+
 std::optional<LengthUnit> unit_of(const DiagnoseCommand& command)
 {
     if (!command.length_unit) return std::nullopt;
@@ -85,6 +93,18 @@ std::vector<std::string> inputs_of_simulations(const Case& job, const DiagnoseCo
 
 }  // namespace
 
+std::vector<InputFile> measured_files(const DiagnoseCommand& command)
+{
+    std::vector<InputFile> files;
+    for (const auto& several : {command.measured, command.force_curves, command.pressure_drops})
+        for (const fs::path& file : several)
+            files.push_back({"measurement", file});
+    if (command.scalars) files.push_back({"scalars", *command.scalars});
+    if (command.density_map) files.push_back({"density map", *command.density_map});
+    if (command.noise) files.push_back({"noise floor", *command.noise});
+    return files;
+}
+
 void learn_noise_floor(const fs::path& case_file, const DiagnoseCommand& command,
                        const CommonOptions& options)
 {
@@ -94,7 +114,7 @@ void learn_noise_floor(const fs::path& case_file, const DiagnoseCommand& command
         throw ConfigError("--density-map has no part in --calibrate; leave it out");
     TextOutput output(
         options.output.value_or(fs::absolute(case_file).replace_extension(".noise.json")),
-        options.force);
+        inputs_of(job, command), options.force);
     Progress progress(options.quiet);
     progress.begin("vessel", "reading the vessel");
     const Lumen lumen = lumen_of(job);
@@ -135,7 +155,7 @@ void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
     if (command.noise) diagnose_options.floor = read_noise_floor(*command.noise);
     OutputFolder folder(
         options.output.value_or(fs::path(case_file).replace_extension(".diagnosis.out")),
-        options.force, "diagnosis.json");
+        inputs_of(job, command), options.force, "diagnosis.json");
 
     Progress progress(options.quiet);
     progress.begin("vessel", "reading the vessel");
@@ -165,7 +185,7 @@ void diagnose_case(const fs::path& case_file, const DiagnoseCommand& command,
     for (const StageTime& time : progress.times())
         json["times_s"][time.stage] = time.seconds;
     write_text_file(folder.path() / "diagnosis.json", json.dump(1) + "\n");
-    folder.commit();
+    put_in_place(folder);
     memory.forget();
 
     if (options.quiet) return;

@@ -149,7 +149,7 @@ void write_results(OutputFolder& folder, const CurveDiagnosis& diagnosis, const 
     for (const StageTime& time : progress.times())
         json["times_s"][time.stage] = time.seconds;
     write_text_file(folder.path() / "diagnosis.json", json.dump(1) + "\n");
-    folder.commit();
+    put_in_place(folder);
 }
 
 void print_results(const OutputFolder& folder, const CurveDiagnosis& diagnosis,
@@ -161,10 +161,27 @@ void print_results(const OutputFolder& folder, const CurveDiagnosis& diagnosis,
     fmt::print("  {:<12}{}\n", "results", folder.final_path().string());
 }
 
-OutputFolder folder_for(const fs::path& case_file, const CommonOptions& options)
+std::vector<InputFile> inputs_of(const fs::path& case_file, const DiagnoseCommand& command)
+{
+    std::vector<InputFile> inputs = measured_files(command);
+    inputs.push_back({"case", case_file});
+    return inputs;
+}
+
+std::vector<InputFile> inputs_of(const fs::path& case_file, const PressureBench& bench,
+                                 const DiagnoseCommand& command)
+{
+    std::vector<InputFile> inputs = inputs_of(case_file, command);
+    if (const auto* measured = std::get_if<MeasuredLaw>(&bench.law))
+        inputs.push_back({"loss_table", measured->table});
+    return inputs;
+}
+
+OutputFolder folder_for(const fs::path& case_file, const std::vector<InputFile>& inputs,
+                        const CommonOptions& options)
 {
     return OutputFolder(
-        options.output.value_or(fs::path(case_file).replace_extension(".diagnosis.out")),
+        options.output.value_or(fs::path(case_file).replace_extension(".diagnosis.out")), inputs,
         options.force, "diagnosis.json");
 }
 
@@ -201,10 +218,11 @@ void require_no_noise(const DiagnoseCommand& command)
     throw ConfigError("--noise has no part in --calibrate, which learns it; leave it out");
 }
 
-TextOutput noise_output(const fs::path& case_file, const CommonOptions& options)
+TextOutput noise_output(const fs::path& case_file, const std::vector<InputFile>& inputs,
+                        const CommonOptions& options)
 {
     return TextOutput(
-        options.output.value_or(fs::absolute(case_file).replace_extension(".noise.json")),
+        options.output.value_or(fs::absolute(case_file).replace_extension(".noise.json")), inputs,
         options.force);
 }
 
@@ -250,7 +268,7 @@ void learn_force_noise(const PressModel& model, const fs::path& press_file,
         sets.push_back({measured_forces(file), {}});
         stroke = std::max(stroke, sets.back().measured.abscissae.back());
     }
-    TextOutput output = noise_output(press_file, options);
+    TextOutput output = noise_output(press_file, inputs_of(press_file, command), options);
     Progress progress(options.quiet);
     const PressResponse response = press_response(model, stroke, false, progress);
     for (CurveCalibrationSet& set : sets)
@@ -268,7 +286,7 @@ void learn_pressure_noise(const PressureBench& bench, const fs::path& bench_file
         const MeasuredCurve measured = measured_drops(file);
         sets.push_back({measured, pressure_curve_bench(bench, measured.abscissae).simulate(bench)});
     }
-    TextOutput output = noise_output(bench_file, options);
+    TextOutput output = noise_output(bench_file, inputs_of(bench_file, bench, command), options);
     learn_curve_noise(sets, pressure_noise(), pressure_labels, output, options);
 }
 
@@ -284,7 +302,7 @@ void diagnose_force_curve(const fs::path& press_file, const DiagnoseCommand& com
     require_one(command.force_curves, force_labels.curve);
     const MeasuredCurve measured = measured_forces(command.force_curves.front());
     const CurveNoise noise = noise_for(command, force_labels, force_noise());
-    OutputFolder folder = folder_for(press_file, options);
+    OutputFolder folder = folder_for(press_file, inputs_of(press_file, command), options);
     Progress progress(options.quiet);
     const CurveBench<PressModel> bench = force_curve_bench(
         press_response(model, measured.abscissae.back(), true, progress), measured.abscissae);
@@ -308,7 +326,8 @@ void diagnose_pressure_drop(const fs::path& bench_file, const DiagnoseCommand& c
     require_one(command.pressure_drops, pressure_labels.curve);
     const MeasuredCurve measured = measured_drops(command.pressure_drops.front());
     const CurveNoise noise = noise_for(command, pressure_labels, pressure_noise());
-    OutputFolder folder = folder_for(bench_file, options);
+    OutputFolder folder =
+        folder_for(bench_file, inputs_of(bench_file, file.bench, command), options);
     Progress progress(options.quiet);
     const CurveBench<PressureBench> bench = pressure_curve_bench(file.bench, measured.abscissae);
     const auto changes_of = [&](const EffectFit& fit) {

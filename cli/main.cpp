@@ -1,12 +1,18 @@
 #include "cli/commands.hpp"
-#include "cli/interruption.hpp"
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <functional>
+#include <string>
 
 namespace {
 
@@ -230,21 +236,51 @@ int run(int argc, char** argv)
     return 0;
 }
 
+/// A stream that the caller closed would be the next file that is opened; what is printed would go
+/// into that file. Here it goes to a descriptor that cannot be written to.
+void occupy_closed_streams()
+{
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
+}
+
+/// The message of an error, on a stream that may be full itself.
+int fail(const std::string& message, int status)
+{
+    std::fputs(("braidzone: " + message + "\n").c_str(), stderr);
+    return status;
+}
+
+/// What was printed is out, or the status says that it is not.
+int require_printed(int status)
+{
+    errno = 0;
+    const bool was_lost = std::ferror(stdout) != 0;
+    if (std::fflush(stdout) == 0 && !was_lost) return status;
+    const std::string reason = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
+    return fail("standard output cannot be written" + reason, IoError("").exit_status());
+}
+
+int run_or_fail(int argc, char** argv)
+{
+    try {
+        return run(argc, argv);
+    } catch (const Error& error) {
+        return fail(error.what(), error.exit_status());
+    } catch (const fs::filesystem_error& error) {
+        return fail(error.what(), IoError("").exit_status());
+    } catch (const std::exception& error) {
+        // What {fmt} throws where it cannot print is told by `require_printed`.
+        if (std::ferror(stdout) != 0) return 1;
+        return fail(fmt::format("unexpected: {}", error.what()), 1);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 {
+    occupy_closed_streams();
     remove_unfinished_output_on_signal();
-    try {
-        return run(argc, argv);
-    } catch (const Error& error) {
-        fmt::print(stderr, "braidzone: {}\n", error.what());
-        return error.exit_status();
-    } catch (const fs::filesystem_error& error) {
-        fmt::print(stderr, "braidzone: {}\n", error.what());
-        return IoError("").exit_status();
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "braidzone: unexpected: {}\n", error.what());
-        return 1;
-    }
+    return require_printed(run_or_fail(argc, argv));
 }

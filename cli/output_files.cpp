@@ -1,9 +1,9 @@
 #include "cli/output_files.hpp"
 
+#include "cli/output_place.hpp"
 #include "core/error.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <fstream>
 
@@ -13,6 +13,10 @@ namespace fs = std::filesystem;
 
 fs::path OutputFiles::add(const fs::path& wanted)
 {
+    require_no_input(wanted, inputs_);
+    if (fs::is_directory(wanted))
+        throw IoError(
+            fmt::format("output {} is a folder; a file is to be written", wanted.string()));
     if (!force_ && fs::exists(fs::symlink_status(wanted))) {
         throw IoError(
             fmt::format("{} exists; choose another with --output, or replace it with "
@@ -26,19 +30,17 @@ fs::path OutputFiles::add(const fs::path& wanted)
         throw IoError(
             fmt::format("folder {} cannot be created: {}", folder.string(), error.message()));
     }
-    files_.emplace_back(std::make_unique<UnfinishedOutput>(
-                            folder / fmt::format(".{}.{}.unfinished{}", wanted.stem().string(),
-                                                 ::getpid(), wanted.extension().string())),
-                        wanted);
-    return files_.back().first->path();
+    const std::string name = wanted.filename().string();
+    files_.emplace_back(std::make_unique<WorkingFolder>(folder, name), wanted);
+    return files_.back().first->path() / name;
 }
 
 void OutputFiles::commit()
 {
-    for (auto& [unfinished, wanted] : files_) {
-        unfinished->finish([&] {
+    for (auto& [working, wanted] : files_) {
+        working->finish([&] {
             std::error_code error;
-            fs::rename(unfinished->path(), wanted, error);
+            fs::rename(working->path() / wanted.filename(), wanted, error);
             if (error) {
                 throw IoError(
                     fmt::format("{} cannot be written: {}", wanted.string(), error.message()));

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "cli/interruption.hpp"
+#include "cli/case_hash.hpp"
+#include "core/working_folder.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -10,15 +11,20 @@
 
 namespace braidzone {
 
-/// Files that are whole or absent: each is written as a hidden sibling and renamed at the end; if
-/// anything fails, or a signal ends the program, the siblings are removed.
+/// Files that are whole or absent: each is written in a hidden folder beside it and renamed at the
+/// end; if anything fails, or a signal ends the program, the folder is removed.
 class OutputFiles {
 public:
-    /// @param force  replace files that are there
-    explicit OutputFiles(bool force) : force_(force) {}
+    /// @param inputs  files that are not replaced, whether `force` is set or not
+    /// @param force   replace files that are there
+    OutputFiles(std::vector<InputFile> inputs, bool force)
+        : inputs_(std::move(inputs)), force_(force)
+    {
+    }
 
-    /// A path to write the file to; it has the same ending.
-    /// @throws IoError if the file is there and `force` is not set, or its folder cannot be created
+    /// A path to write the file to; it has the same name.
+    /// @throws ConfigError if it is one of the inputs; IoError if the file is there and `force` is
+    ///         not set, if it is a folder, or its folder cannot be created
     std::filesystem::path add(const std::filesystem::path& wanted);
 
     /// Puts all files in their places.
@@ -26,8 +32,9 @@ public:
     void commit();
 
 private:
+    std::vector<InputFile> inputs_;
     bool force_ = false;
-    std::vector<std::pair<std::unique_ptr<UnfinishedOutput>, std::filesystem::path>> files_;
+    std::vector<std::pair<std::unique_ptr<WorkingFolder>, std::filesystem::path>> files_;
 };
 
 /// The one text file that a verb writes, whole or absent. Made before the verb's work, so that a
@@ -35,10 +42,11 @@ private:
 class TextOutput {
 public:
     /// @param wanted  its path
+    /// @param inputs  files that are not replaced, whether `force` is set or not
     /// @param force   replace a file that is there
-    /// @throws IoError as `OutputFiles::add`
-    TextOutput(const std::filesystem::path& wanted, bool force)
-        : wanted_(wanted), files_(force), unfinished_(files_.add(wanted))
+    /// @throws ConfigError, IoError as `OutputFiles::add`
+    TextOutput(const std::filesystem::path& wanted, std::vector<InputFile> inputs, bool force)
+        : wanted_(wanted), files_(std::move(inputs), force), unfinished_(files_.add(wanted))
     {
     }
 

@@ -14,7 +14,7 @@ void write_phantom(const std::filesystem::path& parameters, const CommonOptions&
     const Phantom phantom = read_phantom(TomlTable::read_file(parameters, options.overrides));
     const auto folder =
         options.output.value_or(std::filesystem::absolute(parameters).parent_path());
-    OutputFiles files(options.force);
+    OutputFiles files({{"phantom file", parameters}}, options.force);
     const auto surface = files.add(folder / "vessel.stl");
     const auto line = files.add(folder / "centerline.vtp");
 

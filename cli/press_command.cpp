@@ -40,7 +40,7 @@ void press_device(const std::filesystem::path& press_file, const CommonOptions& 
     const PressFile file = read_press_file(press_file, options.overrides);
     TextOutput output(options.output.value_or(
                           std::filesystem::absolute(press_file).replace_extension(".force.csv")),
-                      options.force);
+                      {{"press file", press_file}}, options.force);
 
     Progress progress(options.quiet);
     progress.begin("press", "pressing the device");

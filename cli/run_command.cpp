@@ -1,3 +1,4 @@
+#include "cli/case_hash.hpp"
 #include "cli/commands.hpp"
 #include "cli/law_report.hpp"
 #include "cli/output_folder.hpp"
@@ -40,7 +41,8 @@ void run_case(const std::filesystem::path& case_file, Stage last, const CommonOp
 {
     Case job = read_case(case_file, options.overrides);
     job.deployment.num_frames = options.num_frames.value_or(job.deployment.num_frames);
-    OutputFolder folder(options.output.value_or(default_output(case_file)), options.force);
+    OutputFolder folder(options.output.value_or(default_output(case_file)), input_files(job),
+                        options.force);
     Progress progress(options.quiet);
 
     const Chain chain = run_chain(job, last, progress);
@@ -55,7 +57,7 @@ void run_case(const std::filesystem::path& case_file, Stage last, const CommonOp
     progress.end();
     const auto summary = summarise(job, chain, progress, files_in(folder.path()), notes);
     write_summary(folder.path() / "summary.json", summary);
-    folder.commit();
+    put_in_place(folder);
 
     if (options.quiet) return;
     fmt::print("{}\n{}  {:<28}{}\n", title(job), short_summary(summary), "results",

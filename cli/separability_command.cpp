@@ -54,10 +54,12 @@ void tell_separability(const std::filesystem::path& case_file, const DiagnoseCom
     }
     const Case job = read_diagnosed_case(case_file, options.overrides);
     const NoiseFloor floor = command.noise ? read_noise_floor(*command.noise) : NoiseFloor{};
+    std::vector<InputFile> inputs = input_files(job);
+    if (command.noise) inputs.push_back({"noise floor", *command.noise});
     TextOutput output(
         options.output.value_or(
             std::filesystem::absolute(case_file).replace_extension(".separability.json")),
-        options.force);
+        inputs, options.force);
     Progress progress(options.quiet);
     progress.begin("vessel", "reading the vessel");
     const Lumen lumen = lumen_of(job);

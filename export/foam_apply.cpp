@@ -3,18 +3,22 @@
 #include "core/error.hpp"
 #include "core/triangle_mesh.hpp"
 #include "export/foam_device.hpp"
+#include "export/foam_field.hpp"
 #include "export/foam_inspection.hpp"
 #include "export/foam_neck.hpp"
 #include "export/foam_report.hpp"
 #include "export/foam_sac.hpp"
 #include "export/foam_sac_zones.hpp"
+#include "export/foam_update.hpp"
 #include "export/foam_viscosity.hpp"
 #include "export/text_file.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace braidzone {
 
@@ -44,33 +48,64 @@ std::vector<Zone> merged(std::vector<Zone> zones, const std::vector<Zone>& devic
     return zones;
 }
 
+/// @param staging  where they are written
 /// @return the files, relative to the case
-std::vector<fs::path> write_zones(const fs::path& foam_case, const FoamDevice& device,
-                                  const FoamSacZones& of_sac)
+std::vector<fs::path> write_zones(const fs::path& foam_case, const fs::path& staging,
+                                  const FoamDevice& device, const FoamSacZones& of_sac)
 {
     std::vector<FoamCellZone> cells = device.cell_zones;
     append(cells, of_sac.cells);
-    write_cell_zones(foam_case, merged(read_cell_zones(foam_case), cells));
+    write_cell_zones(staging, merged(read_cell_zones(foam_case), cells));
     std::vector<FoamFaceZone> faces = device.face_zones;
     append(faces, of_sac.faces);
     const std::vector<FoamFaceZone> mesh_faces = read_face_zones(foam_case);
     const fs::path folder = fs::path("constant") / "polyMesh";
     if (mesh_faces.empty() && faces.empty()) return {folder / "cellZones"};
-    write_face_zones(foam_case, merged(mesh_faces, faces));
+    write_face_zones(staging, merged(mesh_faces, faces));
     return {folder / "cellZones", folder / "faceZones"};
 }
 
-/// Writes a file; one without text is removed.
+/// Writes a file if it has text.
 /// @return the file, if it was written
-std::vector<fs::path> write_or_remove(const fs::path& foam_case, const fs::path& file,
-                                      const std::string& text)
+std::vector<fs::path> write_unless_empty(const fs::path& staging, const fs::path& file,
+                                         const std::string& text)
 {
-    if (text.empty()) {
-        fs::remove(foam_case / file);
-        return {};
-    }
-    write_text_file(foam_case / file, text);
+    if (text.empty()) return {};
+    write_text_file(staging / file, text);
     return {file};
+}
+
+/// Gives the writers what they look at before they write.
+void prepare_staging(const fs::path& foam_case, const fs::path& staging)
+{
+    fs::create_directories(staging / start_folder(foam_case));
+    for (const char* file : {"constant/fvOptions", "constant/fvModels", "system/fvOptions"}) {
+        if (!fs::exists(foam_case / file)) continue;
+        fs::create_directories((staging / file).parent_path());
+        fs::copy_file(foam_case / file, staging / file);
+    }
+}
+
+/// All that this call wrote, and all of an earlier one that it did not write again.
+FoamChanges changes_of(const fs::path& foam_case, std::vector<fs::path> written)
+{
+    FoamChanges changes;
+    changes.key = fs::path("constant") / "fdPorosity";
+    const auto is_written = [&](const fs::path& file) {
+        return std::find(written.begin(), written.end(), file) != written.end();
+    };
+    // OpenFOAM must not find older zones beside the new ones.
+    changes.removed = {"constant/polyMesh/cellZones.gz", "system/fdBaffles", "system/fdFunctions"};
+    if (is_written("constant/polyMesh/faceZones"))
+        changes.removed.emplace_back("constant/polyMesh/faceZones.gz");
+    append(changes.removed, directed_field_files(foam_case));
+    std::erase_if(changes.removed, is_written);
+    // From the first of these on a solver asks for the key.
+    std::stable_partition(written.begin(), written.end(), [](const fs::path& file) {
+        return file.filename() == "fvOptions" || file.filename() == "fvModels";
+    });
+    changes.written = std::move(written);
+    return changes;
 }
 
 double volume_of(const std::vector<int>& cells, const FoamMesh& mesh)
@@ -133,6 +168,7 @@ std::optional<std::string> decomposition_warning(const fs::path& foam_case)
 FoamApplication apply_to_foam_case(const fs::path& foam_case, const ResistanceSheet& sheet,
                                    const FoamApplyOptions& options)
 {
+    restore_foam_case(foam_case);
     const FoamMesh mesh = read_foam_mesh(foam_case);
     require_no_baffles(mesh, foam_case);
     require_metres(mesh, sheet);
@@ -156,19 +192,22 @@ FoamApplication apply_to_foam_case(const fs::path& foam_case, const ResistanceSh
         if (warning) result.warnings.push_back(*warning);
 
     // All that can be wrong with the input has been found; from here on there are files.
-    append(result.files, write_zones(foam_case, device, of_sac));
-    append(result.files, write_porous_sources(foam_case, device.sources));
-    remove_directed_fields(foam_case);
-    append(result.files, write_directed_fields(foam_case, device.fields, resistance, mesh,
+    FoamUpdate update(foam_case);
+    const fs::path& staging = update.staging();
+    prepare_staging(foam_case, staging);
+    append(result.files, write_zones(foam_case, staging, device, of_sac));
+    append(result.files, write_porous_sources(staging, device.sources));
+    append(result.files, write_directed_fields(staging, device.fields, resistance, mesh,
                                                sheet.fluid.viscosity / sheet.fluid.density));
     const std::string baffles = device.baffles.empty() ? "" : baffle_dict(device.baffles);
-    append(result.files, write_or_remove(foam_case, "system/fdBaffles", baffles));
+    append(result.files, write_unless_empty(staging, "system/fdBaffles", baffles));
     append(result.files,
-           write_or_remove(foam_case, "system/fdFunctions", device.functions + of_sac.functions));
-    append(result.files, write_inspection_fields(foam_case, mesh, resistance, device.zones));
+           write_unless_empty(staging, "system/fdFunctions", device.functions + of_sac.functions));
+    append(result.files, write_inspection_fields(staging, mesh, resistance, device.zones));
     result.files.emplace_back("fd_export.json");
-    write_text_file(foam_case / "fd_export.json",
+    write_text_file(staging / "fd_export.json",
                     foam_report(result, device, resistance, sheet, options.deposit));
+    update.commit(changes_of(foam_case, result.files));
     return result;
 }
 

@@ -46,6 +46,8 @@ struct FoamApplication {
 /// - with `per_cell`: 0/fdNuD_*, which the solver reads
 /// - fd_export.json: form, units, zones, integrals, checks
 ///
+/// All of them or none: see `FoamUpdate`.
+///
 /// The fluid's density does not enter: D and F are properties of the sheet. The viscosity that the
 /// solver multiplies D with must be the sheet's; a warning says so if constant/transportProperties
 /// holds another one. With `shear_thinning` it is written into the sources.

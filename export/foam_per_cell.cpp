@@ -88,11 +88,12 @@ std::vector<std::filesystem::path> write_directed_fields(
     return files;
 }
 
-void remove_directed_fields(const std::filesystem::path& foam_case)
+std::vector<std::filesystem::path> directed_field_files(const std::filesystem::path& foam_case)
 {
-    const auto start = foam_case / start_folder(foam_case);
+    std::vector<std::filesystem::path> files;
     for (const char* direction : {"x", "y", "z", "xy", "yz", "xz"})
-        std::filesystem::remove(start / (std::string(prefix) + direction));
+        files.push_back(start_folder(foam_case) / (std::string(prefix) + direction));
+    return files;
 }
 
 std::string directed_field_functions(const std::vector<FoamDirectedField>& fields)

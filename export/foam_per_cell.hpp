@@ -46,8 +46,8 @@ std::vector<std::filesystem::path> write_directed_fields(
     const std::filesystem::path& foam_case, const std::vector<FoamDirectedField>& fields,
     const CellResistance& resistance, const FoamMesh& mesh, double viscosity);
 
-/// Removes the fields of an earlier call.
-void remove_directed_fields(const std::filesystem::path& foam_case);
+/// The fields that any call may have written, relative to the case.
+std::vector<std::filesystem::path> directed_field_files(const std::filesystem::path& foam_case);
 
 /// Function objects that read the fields at the start and write them with every time, without which
 /// a restart would not find them.

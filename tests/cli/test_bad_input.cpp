@@ -713,15 +713,18 @@ TEST(Output, OfAnEarlierRunIsReplacedAndSurvivesAFailure)
         4);
     EXPECT_TRUE(fs::exists(work.output() / "mark"));
     EXPECT_TRUE(fs::exists(work.output() / "summary.json"));
+    // The user's own file stays beside the new results.
+    const auto before = fs::last_write_time(work.output() / "device.vtp");
     EXPECT_EQ(run(work, {}, message), 0) << message;
-    EXPECT_FALSE(fs::exists(work.output() / "mark"));
+    EXPECT_TRUE(fs::exists(work.output() / "mark"));
+    EXPECT_NE(fs::last_write_time(work.output() / "device.vtp"), before);
 }
 
 /// True once the program has made its hidden folder.
 bool has_begun(const Workplace& work)
 {
     for (const auto& entry : fs::directory_iterator(work.path())) {
-        if (entry.is_directory() && entry.path().filename().string().starts_with(".case.out.")) {
+        if (entry.is_directory() && entry.path().filename().string().starts_with(".braidzone.")) {
             return true;
         }
     }

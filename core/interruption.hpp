@@ -8,7 +8,8 @@ namespace braidzone {
 /// Makes SIGINT, SIGTERM and SIGHUP remove unfinished output before they end the program.
 ///
 /// A thread of its own waits for them, since nothing that removes folders may be called in a signal
-/// handler. SIGHUP stays ignored if it is (nohup). Call it once.
+/// handler. SIGHUP stays ignored if it is (nohup). SIGXFSZ is ignored: a file larger than the limit
+/// (ulimit -f) then is an error of writing, as a full disk is. Call it once.
 /// @throws std::runtime_error if the system has no pipe left
 void remove_unfinished_output_on_signal();
 
@@ -31,9 +32,11 @@ public:
         forget();
     }
 
+    /// From now on it stays whatever happens. To be called in `finish` only.
+    void forget();
+
 private:
     static std::mutex& mutex();
-    void forget();  ///< with the mutex held
     std::filesystem::path path_;
 };
 

@@ -1,4 +1,4 @@
-#include "cli/interruption.hpp"
+#include "core/interruption.hpp"
 
 #include <unistd.h>
 
@@ -76,6 +76,7 @@ void remove_unfinished_output_on_signal()
         const bool is_nohup = signal == SIGHUP && before.sa_handler == SIG_IGN;
         if (!is_nohup) ::sigaction(signal, &handling, nullptr);
     }
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 UnfinishedOutput::UnfinishedOutput(std::filesystem::path path) : path_(std::move(path))
