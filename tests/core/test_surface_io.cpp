@@ -225,7 +225,7 @@ TEST(ReadSurface, RefusesAnotherEnding)
     const fs::path path = folder.write("vessel.step", "ISO-10303-21;");
     EXPECT_THROW(read_surface(path, mm), InputError);
     EXPECT_EQ(message_of(path),
-              path.string() + ": ending \".step\" is not .stl, .vtp, .vtk, .ply or .obj");
+              path.string() + ": ending \".step\" is not .stl, .vtp, .vtu, .vtk, .ply or .obj");
 }
 
 TEST(ReadSurface, RefusesASurfaceWithoutTriangles)
@@ -247,7 +247,8 @@ TEST(ReadSurface, RefusesALegacyFileOfAnotherDataSet)
         "# vtk DataFile Version 3.0\ngrid\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 1 1 1\n"
         "ORIGIN 0 0 0\nSPACING 1 1 1\n");
     EXPECT_THROW(read_surface(path, mm), InputError);
-    EXPECT_NE(message_of(path).find("DATASET POLYDATA is needed"), std::string::npos);
+    EXPECT_NE(message_of(path).find("DATASET POLYDATA or UNSTRUCTURED_GRID is needed"),
+              std::string::npos);
 }
 
 TEST(ReadSurface, RefusesAReferenceToAPointThatIsNotThere)
