@@ -212,6 +212,10 @@ std::vector<RoundedEnd> rounded_ends(const TriangleMesh& mesh, const std::vector
         if (!(rise > radius)) continue;
         const double depth = std::min(0.9 * rise, 1.3 * radius);
         if (rise < unreached && !is_dome(tip, depth, mesh, graph, height)) continue;
+        // Across a tube, where paths from three openings meet, the opposite wall is 2 radii away.
+        constexpr double least_depth = 2.3;
+        const Vec3 inside = mesh.points[at(tip)] - 0.1 * radius * normal;
+        if (wall.first_hit(inside, mesh.points[at(tip)] - least_depth * radius * normal)) continue;
         ends.push_back(end_at(tip, radius, normal, mesh, graph));
     }
     std::stable_sort(ends.begin(), ends.end(),

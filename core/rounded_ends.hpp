@@ -22,7 +22,8 @@ struct RoundedEnd {
 /// its ends, which is found as the point farthest from an arbitrary one: the local maxima of the
 /// length of the shortest path along edges (Dijkstra 1959, doi 10.1007/BF01386390) that rise above
 /// the saddle to any higher one (their persistence) by more than the radius of the lumen about
-/// them, and about which the wall is a dome, not a band about the lumen. That radius is the first
+/// them, and about which the wall is a dome, not a band about the lumen,
+/// with no wall within 2.3 radii behind the tip. That radius is the first
 /// largest distance to the wall on the way inwards. The axis runs through the mean points of two
 /// bands of the wall about the tip, 1.3 to 1.9 and 2.3 to 2.9 radii from it; the equator of a half
 /// sphere is at 1.57.
