@@ -28,6 +28,35 @@ std::optional<CenterlineEnd> read_end(const TomlTable& table, const std::string&
     return static_cast<int>(opening);
 }
 
+/// `true`, `false` or a list of names.
+Repairs read_repairs(const TomlTable& table)
+{
+    if (!table.has("repair")) return {};
+    if (table.is_array("repair")) return repairs_at(some_of(table, "repair", repair_names()));
+    return table.boolean("repair") ? all_repairs : Repairs{};
+}
+
+/// [[vessel.openings]], or the same as an array of inline tables.
+std::vector<OpeningOrder> read_opening_orders(const TomlTable& vessel)
+{
+    std::vector<OpeningOrder> orders;
+    for (const TomlTable& table : vessel.tables("openings")) {
+        OpeningOrder order;
+        if (table.is_array("at")) {
+            order.at = table.point("at");
+        } else {
+            order.at = integer_in_range(table, "at", 0, 0, 1000);
+        }
+        table.text("do");  // required, without a default
+        const std::string action = one_of(table, "do", "", {"keep", "cap", "cut"});
+        order.action = action == "cut"   ? OpeningAction::cut
+                       : action == "cap" ? OpeningAction::cap
+                                         : OpeningAction::keep;
+        orders.push_back(order);
+    }
+    return orders;
+}
+
 VesselStraightening read_straightening(const TomlTable& vessel)
 {
     VesselStraightening straightening;
@@ -62,7 +91,8 @@ VesselSource read_vessel(const TomlTable& table)
     } catch (const ConfigError& error) {
         throw ConfigError(fmt::format("{} = {}", table.where("length_unit"), error.what()));
     }
-    vessel.repair = table.boolean_or("repair", false);
+    vessel.repair = read_repairs(table);
+    vessel.openings = read_opening_orders(table);
     vessel.wall_offset = table.quantity_or("wall_offset", Dimension::length, 0.0);
     vessel.straightening = read_straightening(table);
     if (table.has("centerline")) vessel.centerline = file_path(table, "centerline");

@@ -4,6 +4,8 @@
 #include "core/carreau_yasuda.hpp"
 #include "core/fluid.hpp"
 #include "core/length_unit.hpp"
+#include "core/opening_orders.hpp"
+#include "core/surface_repair.hpp"
 #include "core/vector.hpp"
 #include "core/vessel_straightening.hpp"
 #include "deploy/flow_diverter.hpp"
@@ -30,7 +32,8 @@ using CenterlineEnd = std::variant<int, Vec3>;
 struct VesselSource {
     std::filesystem::path surface;
     LengthUnit unit;
-    bool repair = false;  ///< repair a defective surface instead of refusing it
+    Repairs repair;                      ///< which defects are mended instead of refused
+    std::vector<OpeningOrder> openings;  ///< to keep, cap or cut
     /// By which the wall is moved outwards along its normals [m].
     double wall_offset = 0.0;
     VesselStraightening straightening;                ///< after the wall has been moved

@@ -52,14 +52,17 @@ Polyline read_given_centerline(const VesselSource& source, const Vessel& vessel,
 
 Vessel read_vessel(const VesselSource& source)
 {
-    const TriangleMesh surface = read_surface(source.surface, source.unit);
+    const LabelledSurface surface = read_labelled_surface(source.surface, source.unit);
+    VesselOptions options{
+        .repair = source.repair, .ends = given_points(source), .orders = source.openings};
+    if (source.centerline) {
+        options.lines.push_back(
+            read_centerline(*source.centerline, source.unit, source.centerline_line).points);
+    }
     try {
-        Vessel vessel = make_vessel(surface, source.unit,
-                                    {.repair = source.repair, .ends = given_points(source)});
+        Vessel vessel = make_vessel(surface, source.unit, options);
         if (source.wall_offset == 0.0) return vessel;
-        Vessel moved = make_vessel(with_wall_offset(vessel.wall, source.wall_offset), source.unit);
-        moved.notes = std::move(vessel.notes);
-        return moved;
+        return with_wall(vessel, with_wall_offset(vessel.wall, source.wall_offset));
     } catch (const GeometryError& error) {
         throw GeometryError(fmt::format("{}: {}", source.surface.string(), error.what()));
     }
@@ -100,9 +103,9 @@ std::string describe_openings(const Vessel& vessel)
     for (std::size_t i = 0; i < vessel.openings.size(); ++i) {
         const Opening& opening = vessel.openings[i];
         const Vec3 centre = opening.centre * 1e3;
-        text += fmt::format("{}  {}: diameter {:.2f} mm at ({:.2f}, {:.2f}, {:.2f}) mm",
+        text += fmt::format("{}  {}: diameter {:.2f} mm at ({:.2f}, {:.2f}, {:.2f}) mm, {}",
                             i == 0 ? "" : "\n", i, 2e3 * opening.radius, centre.x(), centre.y(),
-                            centre.z());
+                            centre.z(), opening.kind);
     }
     return text;
 }

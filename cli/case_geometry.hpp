@@ -7,8 +7,9 @@
 
 namespace braidzone {
 
-/// The vessel of a case: read and, on request, repaired; cut open at the centerline's ends if its
-/// own are rounded off and the case names two points; its wall moved by `wall_offset`.
+/// The vessel of a case: read and, on request, repaired; cut open at the centerline's ends, those
+/// of its file or the two points that the case names, if its own are rounded off; its wall moved by
+/// `wall_offset`.
 /// @throws what `read_surface` and `make_vessel` throw, with the file's name
 Vessel read_vessel(const VesselSource& source);
 
@@ -25,7 +26,7 @@ double arc_length_at(const PlaceOnCenterline& place, const Centerline& centerlin
 /// The opening whose centre is nearest to a point: at the centerline's first point, the inlet.
 int nearest_opening(const Vessel& vessel, const Vec3& point);
 
-/// "0: diameter 4.20 mm at (1.00, 2.00, 3.00) mm", one line for each opening, indented.
+/// "0: diameter 4.20 mm at (1.00, 2.00, 3.00) mm, flat cap", one line for each opening, indented.
 std::string describe_openings(const Vessel& vessel);
 
 }  // namespace braidzone

@@ -3,10 +3,12 @@
 #include "cli/output_files.hpp"
 #include "core/centerline_io.hpp"
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
 #include "core/quantity.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 
@@ -37,6 +39,25 @@ std::optional<CenterlineEnd> parse_end(const std::string& option, const std::str
                     option, text));
 }
 
+/// The repairs of `--repair=merge,holes`; `--repair` alone means all.
+Repairs parse_repairs(const std::string& text)
+{
+    if (text == "none") return {};
+    if (text == "all") return all_repairs;
+    const std::vector<std::string> known = repair_names();
+    std::vector<std::size_t> places;
+    std::istringstream list(text);
+    for (std::string name; std::getline(list, name, ',');) {
+        const auto found = std::find(known.begin(), known.end(), name);
+        if (found == known.end()) {
+            throw ConfigError(
+                fmt::format("--repair \"{}\" is not known{}", name, did_you_mean(name, known)));
+        }
+        places.push_back(static_cast<std::size_t>(found - known.begin()));
+    }
+    return repairs_at(places);
+}
+
 std::filesystem::path default_output(const std::filesystem::path& surface)
 {
     return surface.parent_path() / (surface.stem().string() + "_centerline.vtp");
@@ -49,7 +70,7 @@ void write_centerline_of(const CenterlineCommand& command, const CommonOptions& 
     VesselSource source;
     source.surface = command.surface;
     source.unit = length_unit(command.length_unit);
-    source.repair = command.repair;
+    source.repair = parse_repairs(command.repair);
     source.from = parse_end("--from", command.from);
     source.to = parse_end("--to", command.to);
     if (source.from.has_value() != source.to.has_value()) {

@@ -1,5 +1,6 @@
 #include "cli/case_geometry.hpp"
 #include "cli/commands.hpp"
+#include "core/rounded_ends.hpp"
 #include "core/triangle_mesh.hpp"
 #include "export/foam_boundary_conditions.hpp"
 #include "export/foam_fluid.hpp"
@@ -14,6 +15,17 @@
 namespace braidzone {
 namespace {
 
+/// Ends that are closed: blind branches and sacs, which vessel.openings can cut open.
+void print_closed_ends(const Vessel& vessel)
+{
+    std::size_t number = vessel.openings.size();
+    for (const RoundedEnd& end : rounded_ends(vessel.wall, vessel.openings, WallTree(vessel))) {
+        const Vec3 place = 1e3 * end.centre;
+        fmt::print("  {}: closed end about {:.2f} mm wide at ({:.2f}, {:.2f}, {:.2f}) mm\n",
+                   number++, 2e3 * end.radius, place.x(), place.y(), place.z());
+    }
+}
+
 void print_vessel(const Case& job, const Vessel& vessel)
 {
     const Vec3 size = bounding_box(vessel.wall).upper - bounding_box(vessel.wall).lower;
@@ -22,6 +34,7 @@ void print_vessel(const Case& job, const Vessel& vessel)
                vessel.wall.triangles.size(), 1e3 * size.x(), 1e3 * size.y(), 1e3 * size.z(),
                vessel.openings.size());
     fmt::print("{}\n", describe_openings(vessel));
+    print_closed_ends(vessel);
     for (const std::string& note : vessel.notes)
         fmt::print("  note: {}\n", note);
 }

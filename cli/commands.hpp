@@ -83,7 +83,7 @@ struct CenterlineCommand {
     std::string length_unit = "mm";
     /// "0", an opening's number, or a point "1 mm, 2 mm, 3 mm"; both empty: the two openings.
     std::string from, to;
-    bool repair = false;
+    std::string repair = "none";  ///< "all", or names of repairs, comma-separated
 };
 
 /// centerline: computes and writes the centerline of a surface.

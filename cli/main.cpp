@@ -107,14 +107,16 @@ void add_vessel_verbs(CLI::App& app, Arguments& arguments)
 {
     CLI::App& centerline = *app.add_subcommand("centerline", "compute a vessel's centerline");
     CenterlineCommand& command = arguments.centerline;
-    centerline.add_option("VESSEL", command.surface, "surface: STL, VTP, VTK, PLY or OBJ")
+    centerline.add_option("VESSEL", command.surface, "surface: STL, VTP, VTU, VTK, PLY or OBJ")
         ->required();
     centerline.add_option("--length-unit", command.length_unit, "of the surface: m, cm, mm, um")
         ->capture_default_str();
     centerline.add_option("--from", command.from,
                           "proximal end: an opening's number or \"x mm, y mm, z mm\"");
     centerline.add_option("--to", command.to, "distal end, alike");
-    centerline.add_flag("--repair", command.repair, "repair a defective surface");
+    centerline.add_flag("--repair{all}", command.repair,
+                        "repair a defective surface, or in part: "
+                        "--repair=normals,merge,holes,self_intersections,parts");
     add_output_options(centerline, arguments.common,
                        "file (default: VESSEL_centerline.vtp beside the surface)");
     add_common_options(centerline, arguments);

@@ -39,12 +39,30 @@ Json straightening_section(const VesselStraightening& straightening)
     return section;
 }
 
+/// `true` and `false` for all and none, as cases without a list have it.
+Json repairs(const Repairs& repairs)
+{
+    if (repairs == all_repairs) return true;
+    if (repairs == Repairs{}) return false;
+    return names_of(repairs);
+}
+
+Json opening_order(const OpeningOrder& order)
+{
+    const char* action = order.action == OpeningAction::keep  ? "keep"
+                         : order.action == OpeningAction::cap ? "cap"
+                                                              : "cut";
+    return {{"at", centerline_end(order.at)}, {"do", action}};
+}
+
 Json vessel_section(const VesselSource& vessel)
 {
     Json section = {{"surface", vessel.surface.string()},
                     {"length_unit", vessel.unit.name},
-                    {"repair", vessel.repair},
+                    {"repair", repairs(vessel.repair)},
                     {"wall_offset", length(vessel.wall_offset)}};
+    for (const OpeningOrder& order : vessel.openings)
+        section["openings"].push_back(opening_order(order));
     if (vessel.straightening.share > 0.0)
         section["straightening"] = straightening_section(vessel.straightening);
     if (vessel.centerline) {

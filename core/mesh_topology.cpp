@@ -1,5 +1,7 @@
 #include "core/mesh_topology.hpp"
 
+#include "core/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <tuple>
 
@@ -22,6 +24,27 @@ std::vector<TriangleSide> sorted_sides(const TriangleMesh& mesh)
                std::tie(b.low, b.high, b.triangle, b.forward);
     });
     return sides;
+}
+
+std::vector<std::vector<int>> connected_parts(const TriangleMesh& mesh)
+{
+    DisjointSets points(mesh.points.size());
+    const auto index = [](int point) { return static_cast<std::size_t>(point); };
+    for (const std::array<int, 3>& corners : mesh.triangles) {
+        points.unite(index(corners[0]), index(corners[1]));
+        points.unite(index(corners[0]), index(corners[2]));
+    }
+    std::vector<std::vector<int>> parts;
+    std::vector<int> part_of(mesh.points.size(), -1);
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        int& part = part_of[points.find(index(mesh.triangles[triangle][0]))];
+        if (part < 0) {
+            part = static_cast<int>(parts.size());
+            parts.emplace_back();
+        }
+        parts[static_cast<std::size_t>(part)].push_back(static_cast<int>(triangle));
+    }
+    return parts;
 }
 
 std::vector<std::vector<int>> border_loops(const TriangleMesh& mesh)

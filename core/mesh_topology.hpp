@@ -31,6 +31,10 @@ void for_each_edge(const std::vector<TriangleSide>& sides, Visit visit)
     }
 }
 
+/// The parts of a surface that share no point, each as its triangles in order; parts in the order
+/// of their first triangle.
+std::vector<std::vector<int>> connected_parts(const TriangleMesh& mesh);
+
 /// The rims of an open surface: closed loops of the edges that belong to one triangle only.
 ///
 /// A loop runs against its triangles, so that a cap fanned over it winds as the surface does: seen

@@ -1,5 +1,6 @@
 #include "core/surface_check.hpp"
 
+#include "core/disjoint_sets.hpp"
 #include "core/mesh_topology.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -9,38 +10,11 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 namespace braidzone {
 
 namespace {
-
-/// Sets that are merged step by step (union by smaller index, path halving).
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t size) : parent_(size)
-    {
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    }
-    std::size_t find(std::size_t element)
-    {
-        while (parent_[element] != element) {
-            parent_[element] = parent_[parent_[element]];
-            element = parent_[element];
-        }
-        return element;
-    }
-    void unite(std::size_t a, std::size_t b)
-    {
-        a = find(a);
-        b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::size_t> parent_;
-};
 
 bool has_equal_corners(const std::array<int, 3>& corners)
 {
@@ -108,23 +82,6 @@ std::vector<int> pinched_points(const TriangleMesh& mesh, const std::vector<Tria
     return pinched;
 }
 
-/// Number of parts that share no point.
-int num_components(const TriangleMesh& mesh)
-{
-    DisjointSets parts(mesh.points.size());
-    const auto index = [](int point) { return static_cast<std::size_t>(point); };
-    for (const std::array<int, 3>& corners : mesh.triangles) {
-        parts.unite(index(corners[0]), index(corners[1]));
-        parts.unite(index(corners[0]), index(corners[2]));
-    }
-    std::vector<std::size_t> roots;
-    for (const std::array<int, 3>& corners : mesh.triangles) {
-        roots.push_back(parts.find(index(corners[0])));
-    }
-    std::sort(roots.begin(), roots.end());
-    return static_cast<int>(std::unique(roots.begin(), roots.end()) - roots.begin());
-}
-
 /// Pairs of triangles that cross or overlap, the smaller index first, in order.
 std::vector<std::array<int, 2>> intersecting_triangles(const TriangleMesh& mesh)
 {
@@ -152,19 +109,6 @@ std::vector<std::array<int, 2>> intersecting_triangles(const TriangleMesh& mesh)
     }
     std::sort(pairs.begin(), pairs.end());
     return pairs;
-}
-
-/// True if a consistent surface in one part, its rims closed, encloses a negative volume.
-bool is_inverted(const TriangleMesh& mesh)
-{
-    TriangleMesh closed = mesh;
-    for (const std::vector<int>& loop : border_loops(mesh)) {
-        Vec3 centre = Vec3::Zero();
-        for (const int point : loop)
-            centre += mesh.points[static_cast<std::size_t>(point)];
-        append_fan(closed, loop, centre / static_cast<double>(loop.size()));
-    }
-    return enclosed_volume(closed) < 0.0;
 }
 
 std::string element_name(int element)
@@ -206,7 +150,7 @@ SurfaceDefects find_defects(const TriangleMesh& mesh)
         }
     });
     defects.non_manifold_points = pinched_points(mesh, sides);
-    defects.num_components = num_components(mesh);
+    defects.num_components = static_cast<int>(connected_parts(mesh).size());
 
     const bool is_consistent_manifold =
         defects.degenerate_triangles.empty() && defects.non_manifold_edges.empty() &&
@@ -216,6 +160,18 @@ SurfaceDefects find_defects(const TriangleMesh& mesh)
         defects.is_inverted = defects.num_components == 1 && is_inverted(mesh);
     }
     return defects;
+}
+
+bool is_inverted(const TriangleMesh& mesh)
+{
+    TriangleMesh closed = mesh;
+    for (const std::vector<int>& loop : border_loops(mesh)) {
+        Vec3 centre = Vec3::Zero();
+        for (const int point : loop)
+            centre += mesh.points[static_cast<std::size_t>(point)];
+        append_fan(closed, loop, centre / static_cast<double>(loop.size()));
+    }
+    return enclosed_volume(closed) < 0.0;
 }
 
 bool is_sound(const SurfaceDefects& defects)

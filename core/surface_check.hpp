@@ -30,6 +30,10 @@ SurfaceDefects find_defects(const TriangleMesh& mesh);
 /// True if nothing in the list keeps the surface from being used as a vessel wall.
 bool is_sound(const SurfaceDefects& defects);
 
+/// True if a surface, its rims closed, encloses a negative volume: its normals point inwards.
+/// @param mesh  consistently wound, in one part
+bool is_inverted(const TriangleMesh& mesh);
+
 /// One line per kind of defect, with count and the first five elements; empty if sound.
 std::string describe(const SurfaceDefects& defects);
 

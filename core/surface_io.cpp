@@ -8,8 +8,11 @@
 #include <CGAL/IO/PLY.h>
 #include <CGAL/Simple_cartesian.h>
 #include <fmt/format.h>
+#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -17,22 +20,28 @@
 #include <vtkPolygon.h>
 #include <vtkSTLReader.h>
 #include <vtkSmartPointer.h>
-#include <vtkTriangleStrip.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkUnstructuredGridReader.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <new>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace braidzone {
@@ -49,6 +58,9 @@ static_assert(std::endian::native == std::endian::little, "binary STL is little-
 struct PolygonSoup {
     std::vector<Vec3> points;
     std::vector<std::vector<int>> polygons;
+    std::vector<int> labels;         ///< one a polygon, or none
+    std::string label_name;          ///< what the file calls them
+    std::vector<std::string> notes;  ///< what reading changed
 };
 
 std::string lower_case(std::string text)
@@ -70,31 +82,125 @@ std::ifstream opened(const fs::path& path)
     return file;
 }
 
-/// The polygons and strips of a VTK surface.
+/// The integers of the first cell array that tells regions apart; empty if there is none.
+std::vector<int> cell_labels(vtkDataSet& data, std::string& name)
+{
+    // An ASCII STL's solids come as VTK's STLSolidLabeling.
+    for (const char* known : {"CellEntityIds", "ModelFaceID", "CapID", "STLSolidLabeling"}) {
+        vtkDataArray* array = data.GetCellData()->GetArray(known);
+        if (array == nullptr || array->GetNumberOfComponents() != 1 ||
+            array->GetNumberOfTuples() != data.GetNumberOfCells())
+            continue;
+        std::vector<int> labels;
+        for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
+            labels.push_back(static_cast<int>(std::lround(array->GetTuple1(cell))));
+        const bool differ =
+            std::adjacent_find(labels.begin(), labels.end(), std::not_equal_to<>()) != labels.end();
+        if (!differ) continue;
+        name = known == std::string("STLSolidLabeling") ? "solid" : known;
+        return labels;
+    }
+    return {};
+}
+
+void append_points(PolygonSoup& soup, vtkPointSet& data)
+{
+    for (vtkIdType point = 0; point < data.GetNumberOfPoints(); ++point)
+        soup.points.emplace_back(data.GetPoint(point));
+}
+
+/// The polygons and strips of a VTK surface. Cells are numbered vertices, lines, polygons, strips.
 PolygonSoup polygons_of(vtkPolyData& data)
 {
     PolygonSoup soup;
-    for (vtkIdType point = 0; point < data.GetNumberOfPoints(); ++point) {
-        soup.points.emplace_back(data.GetPoint(point));
-    }
+    append_points(soup, data);
+    const std::vector<int> labels = cell_labels(data, soup.label_name);
+    std::size_t number =
+        static_cast<std::size_t>(data.GetNumberOfVerts() + data.GetNumberOfLines());
+    const auto append = [&](const vtkIdType* first, const vtkIdType* last) {
+        soup.polygons.emplace_back(first, last);
+        if (!labels.empty()) soup.labels.push_back(labels[number]);
+    };
     const auto corners = vtkSmartPointer<vtkIdList>::New();
     const auto for_each_cell = [&](vtkCellArray& cells, auto visit) {
         const auto cell = vtk::TakeSmartPointer(cells.NewIterator());
         for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell()) {
             cell->GetCurrentCell(corners);
             visit();
+            ++number;
         }
     };
-    const auto append_polygon = [&] {
-        soup.polygons.emplace_back(corners->begin(), corners->end());
-    };
-    const auto strip_triangles = vtkSmartPointer<vtkCellArray>::New();
-    for_each_cell(*data.GetPolys(), append_polygon);
+    for_each_cell(*data.GetPolys(), [&] { append(corners->begin(), corners->end()); });
     for_each_cell(*data.GetStrips(), [&] {
-        vtkTriangleStrip::DecomposeStrip(static_cast<int>(corners->GetNumberOfIds()),
-                                         corners->GetPointer(0), strip_triangles);
+        // Every other triangle of a strip runs the other way.
+        for (vtkIdType k = 0; k + 2 < corners->GetNumberOfIds(); ++k) {
+            const vtkIdType odd = k % 2;
+            const std::array<vtkIdType, 3> triangle = {
+                corners->GetId(k + odd), corners->GetId(k + 1 - odd), corners->GetId(k + 2)};
+            append(triangle.data(), triangle.data() + 3);
+        }
     });
-    for_each_cell(*strip_triangles, append_polygon);
+    if (data.GetNumberOfStrips() > 0) {
+        soup.notes.push_back(
+            fmt::format("took {} triangle strips apart", data.GetNumberOfStrips()));
+    }
+    return soup;
+}
+
+/// The corners of a face, without the middles of its sides.
+std::vector<int> corners_of(vtkCell& face)
+{
+    std::vector<int> corners;
+    for (int k = 0; k < face.GetNumberOfEdges(); ++k)
+        corners.push_back(static_cast<int>(face.GetPointId(k)));
+    return corners;
+}
+
+/// The faces of volume elements that belong to one element only.
+std::vector<std::vector<int>> boundary_faces(vtkUnstructuredGrid& data)
+{
+    std::map<std::vector<int>, std::pair<int, std::vector<int>>> faces;  // by sorted corners
+    for (vtkIdType cell = 0; cell < data.GetNumberOfCells(); ++cell) {
+        vtkCell* element = data.GetCell(cell);
+        if (element->GetCellDimension() != 3) continue;
+        for (int k = 0; k < element->GetNumberOfFaces(); ++k) {
+            std::vector<int> corners = corners_of(*element->GetFace(k));
+            std::vector<int> key = corners;
+            std::sort(key.begin(), key.end());
+            auto& [count, face] = faces[std::move(key)];
+            if (++count == 1) face = std::move(corners);
+        }
+    }
+    std::vector<std::vector<int>> boundary;
+    for (auto& [key, entry] : faces) {
+        if (entry.first == 1) boundary.push_back(std::move(entry.second));
+    }
+    return boundary;
+}
+
+/// The surface elements of a VTK grid or, without any, the boundary of its volume elements.
+PolygonSoup polygons_of(vtkUnstructuredGrid& data)
+{
+    PolygonSoup soup;
+    append_points(soup, data);
+    const std::vector<int> labels = cell_labels(data, soup.label_name);
+    vtkIdType num_volumes = 0;
+    for (vtkIdType number = 0; number < data.GetNumberOfCells(); ++number) {
+        vtkCell* cell = data.GetCell(number);
+        if (cell->GetCellDimension() == 3) ++num_volumes;
+        if (cell->GetCellDimension() != 2) continue;
+        if (cell->GetCellType() == VTK_TRIANGLE_STRIP || cell->GetCellType() == VTK_PIXEL)
+            continue;  // no writer of meshes uses them
+        soup.polygons.push_back(corners_of(*cell));
+        if (!labels.empty()) soup.labels.push_back(labels[static_cast<std::size_t>(number)]);
+    }
+    if (soup.polygons.empty() && num_volumes > 0) {
+        soup.polygons = boundary_faces(data);
+        soup.notes.push_back(fmt::format("took the boundary of {} volume elements", num_volumes));
+    } else if (num_volumes > 0) {
+        soup.notes.push_back(fmt::format("took the {} surface elements beside {} volume elements",
+                                         soup.polygons.size(), num_volumes));
+    }
     return soup;
 }
 
@@ -206,7 +312,8 @@ PolygonSoup read_stl(const fs::path& path)
         throw IoError(fmt::format("{}: truncated: ASCII STL without \"endsolid\"", path.string()));
     }
     const auto reader = vtkSmartPointer<vtkSTLReader>::New();
-    reader->MergingOff();  // merged below, for all formats alike
+    reader->MergingOff();    // merged below, for all formats alike
+    reader->ScalarTagsOn();  // several solids
     return read_by_vtk(*reader, path);
 }
 
@@ -216,12 +323,19 @@ PolygonSoup read_legacy_vtk(const fs::path& path)
     reader->SetFileName(path.c_str());
     {
         const VtkMessages messages;
+        const auto grid_reader = vtkSmartPointer<vtkUnstructuredGridReader>::New();
+        grid_reader->SetFileName(path.c_str());
+        grid_reader->ReadAllScalarsOn();
+        grid_reader->ReadAllFieldsOn();
+        if (grid_reader->IsFileUnstructuredGrid()) return read_by_vtk(*grid_reader, path);
         if (!reader->IsFilePolyData()) {
-            throw InputError(fmt::format("{}: a legacy VTK file of DATASET POLYDATA is needed{}{}",
-                                         path.string(), messages.any() ? ": " : "",
-                                         messages.first()));
+            throw InputError(fmt::format(
+                "{}: a legacy VTK file of DATASET POLYDATA or UNSTRUCTURED_GRID is needed{}{}",
+                path.string(), messages.any() ? ": " : "", messages.first()));
         }
     }
+    reader->ReadAllScalarsOn();
+    reader->ReadAllFieldsOn();
     return read_by_vtk(*reader, path);
 }
 
@@ -233,9 +347,12 @@ PolygonSoup read_polygons(const fs::path& path)
     if (ending == ".vtp") {
         return read_by_vtk(*vtkSmartPointer<vtkXMLPolyDataReader>::New(), path);
     }
+    if (ending == ".vtu") {
+        return read_by_vtk(*vtkSmartPointer<vtkXMLUnstructuredGridReader>::New(), path);
+    }
     if (ending == ".ply") return read_ply(path);
     if (ending == ".obj") return read_obj(path);
-    throw InputError(fmt::format("{}: ending \"{}\" is not .stl, .vtp, .vtk, .ply or .obj",
+    throw InputError(fmt::format("{}: ending \"{}\" is not .stl, .vtp, .vtu, .vtk, .ply or .obj",
                                  path.string(), ending));
 }
 
@@ -265,39 +382,60 @@ void require_valid_corners(const PolygonSoup& soup, const fs::path& path)
     }
 }
 
-/// Triangles instead of polygons: ears are cut off, so a polygon need not be convex.
-TriangleMesh triangulated(const PolygonSoup& soup, const fs::path& path)
+/// Cuts the ears off a polygon, which need not be convex.
+class PolygonCutter {
+public:
+    /// Three places in the polygon for each of its triangles; empty if it cannot be triangulated.
+    std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<int>& corners,
+                                                         const std::vector<Vec3>& points)
+    {
+        polygon_->Points->Reset();
+        polygon_->PointIds->Reset();
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            polygon_->Points->InsertNextPoint(points[static_cast<std::size_t>(corners[k])].data());
+            polygon_->PointIds->InsertNextId(static_cast<vtkIdType>(k));
+        }
+        std::vector<std::array<std::size_t, 3>> triangles;
+        if (polygon_->Triangulate(ears_) == 0) return triangles;
+        const auto place = [&](vtkIdType k) { return static_cast<std::size_t>(ears_->GetId(k)); };
+        for (vtkIdType k = 0; k + 2 < ears_->GetNumberOfIds(); k += 3)
+            triangles.push_back({place(k), place(k + 1), place(k + 2)});
+        return triangles;
+    }
+
+private:
+    vtkSmartPointer<vtkPolygon> polygon_ = vtkSmartPointer<vtkPolygon>::New();
+    vtkSmartPointer<vtkIdList> ears_ = vtkSmartPointer<vtkIdList>::New();
+};
+
+/// Triangles instead of polygons, each with its polygon's label.
+LabelledSurface triangulated(const PolygonSoup& soup, const fs::path& path)
 {
-    TriangleMesh mesh;
-    mesh.points = soup.points;
-    const auto polygon = vtkSmartPointer<vtkPolygon>::New();
-    const auto ears = vtkSmartPointer<vtkIdList>::New();  // three indices into the polygon each
+    LabelledSurface surface{{soup.points, {}}, {}, soup.label_name, soup.notes};
+    const auto append = [&](std::size_t polygon, int a, int b, int c) {
+        surface.mesh.triangles.push_back({a, b, c});
+        if (!soup.labels.empty()) surface.labels.push_back(soup.labels[polygon]);
+    };
+    PolygonCutter cutter;
     const VtkMessages messages;
+    std::size_t num_cut = 0;
     for (std::size_t index = 0; index < soup.polygons.size(); ++index) {
         const std::vector<int>& corners = soup.polygons[index];
         if (corners.size() == 3) {
-            mesh.triangles.push_back({corners[0], corners[1], corners[2]});
+            append(index, corners[0], corners[1], corners[2]);
             continue;
         }
-        polygon->Points->Reset();
-        polygon->PointIds->Reset();
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            polygon->Points->InsertNextPoint(
-                soup.points[static_cast<std::size_t>(corners[k])].data());
-            polygon->PointIds->InsertNextId(static_cast<vtkIdType>(k));
-        }
-        if (polygon->Triangulate(ears) == 0) {
+        const auto triangles = cutter.triangles_of(corners, soup.points);
+        if (triangles.empty()) {
             throw InputError(fmt::format("{}: polygon {} ({} corners) cannot be triangulated",
                                          path.string(), index, corners.size()));
         }
-        const auto corner = [&](vtkIdType k) {
-            return corners[static_cast<std::size_t>(ears->GetId(k))];
-        };
-        for (vtkIdType k = 0; k + 2 < ears->GetNumberOfIds(); k += 3) {
-            mesh.triangles.push_back({corner(k), corner(k + 1), corner(k + 2)});
-        }
+        for (const auto& [a, b, c] : triangles)
+            append(index, corners[a], corners[b], corners[c]);
+        ++num_cut;
     }
-    return mesh;
+    if (num_cut > 0) surface.notes.push_back(fmt::format("triangulated {} polygons", num_cut));
+    return surface;
 }
 
 /// The mesh with equal points made one, numbered in the order in which triangles first use them;
@@ -340,6 +478,11 @@ TriangleMesh merged(const TriangleMesh& mesh)
 
 TriangleMesh read_surface(const fs::path& path, const LengthUnit& unit)
 {
+    return read_labelled_surface(path, unit).mesh;
+}
+
+LabelledSurface read_labelled_surface(const fs::path& path, const LengthUnit& unit)
+{
     opened(path);
     const PolygonSoup soup = read_polygons(path);
     if (soup.polygons.empty()) {
@@ -347,10 +490,11 @@ TriangleMesh read_surface(const fs::path& path, const LengthUnit& unit)
     }
     require_finite(soup.points, path);
     require_valid_corners(soup, path);
-    TriangleMesh mesh = merged(triangulated(soup, path));
-    for (Vec3& point : mesh.points)
+    LabelledSurface surface = triangulated(soup, path);
+    surface.mesh = merged(surface.mesh);
+    for (Vec3& point : surface.mesh.points)
         point *= unit.metres;
-    return mesh;
+    return surface;
 }
 
 void write_stl(const fs::path& path, const TriangleMesh& mesh, const LengthUnit& unit)

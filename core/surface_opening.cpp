@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -50,13 +51,6 @@ std::vector<Vec3> path_between(const VesselEnds& ends, const WallTree& wall, dou
     }
     return path;
 }
-
-/// How the lumen runs at one of its ends.
-struct LumenEnd {
-    Vec3 point = Vec3::Zero();
-    Vec3 outwards = Vec3::UnitX();  ///< unit, along the lumen
-    double radius = 0.0;            ///< of the largest sphere in the lumen beside the end [m]
-};
 
 /// The two ends of the lumen around a path, at the given points.
 std::array<LumenEnd, 2> lumen_ends(const std::vector<Vec3>& path, const VesselEnds& ends,
@@ -113,28 +107,62 @@ TriangleMesh open_rounded_ends(const TriangleMesh& surface, const VesselEnds& en
     require_in_lumen(ends.from, wall);
     require_in_lumen(ends.to, wall);
 
-    const double area = surface_area(surface);
-    const double mean_radius = 2.0 * enclosed_volume(surface) / area;
+    const double mean_radius = 2.0 * enclosed_volume(surface) / surface_area(surface);
     std::vector<Vec3> path = path_between(ends, wall, mean_radius);
     // A point off the axis bends the path towards itself: the first round only finds the axis.
     const auto [rough_first, rough_last] = lumen_ends(path, ends, wall, mean_radius);
     path.front() = cut_across(surface, ends.from, rough_first.outwards).section_centre;
     path.back() = cut_across(surface, ends.to, rough_last.outwards).section_centre;
 
+    const std::array<LumenEnd, 2> cuts = lumen_ends(path, ends, wall, mean_radius);
+    return cut_open(surface, {cuts.begin(), cuts.end()});
+}
+
+TriangleMesh cut_open(const TriangleMesh& surface, const std::vector<LumenEnd>& ends)
+{
+    const double area = surface_area(surface);
     TriangleMesh opened = surface;
-    for (const LumenEnd& end : lumen_ends(path, ends, wall, mean_radius)) {
+    std::string places;
+    for (const LumenEnd& end : ends) {
         PlaneCut cut = cut_across(opened, end.point, end.outwards);
         require_plausible(cut, end, area);
         opened = std::move(cut.kept);
+        places += (places.empty() ? "" : " and ") + place_text(end.point);
     }
     const SurfaceDefects defects = find_defects(opened);
     if (!is_sound(defects)) {
-        throw GeometryError(fmt::format(
-            "cut open at {} and {}, the surface is defective:\n{}choose end points a little "
-            "farther inwards",
-            place_text(ends.from), place_text(ends.to), describe(defects)));
+        throw GeometryError(
+            fmt::format("cut open at {}, the surface is defective:\n{}choose end points a little "
+                        "farther inwards",
+                        places, describe(defects)));
     }
     return opened;
+}
+
+std::optional<LumenEnd> end_of_line(const std::vector<Vec3>& line, const WallTree& wall)
+{
+    constexpr double least_share = 0.8;
+    constexpr double largest_fall = 0.95;
+    Polyline back;
+    back.points.assign(line.rbegin(), line.rend());
+    back.inscribed_radii.assign(line.size(), 1.0);
+    const double length = resample(back, {.spacing = 1e-3, .smoothing = 0.0}).length();
+    const Centerline way = resample(back, {.spacing = length / 400.0, .smoothing = 0.0});
+    std::vector<double> radius;
+    double largest = 0.0;
+    for (const CrossSection& section : way.sections) {
+        const bool is_inside = wall.contains(section.origin);
+        radius.push_back(is_inside ? wall.nearest(section.origin).distance : 0.0);
+        largest = std::max(largest, radius.back());
+        if (radius.back() < largest_fall * largest) break;
+    }
+    if (!(largest > 0.0)) return std::nullopt;
+    const auto first = std::find_if(radius.begin(), radius.end(),
+                                    [&](double r) { return r >= least_share * largest; });
+    const double place = static_cast<double>(first - radius.begin()) * way.spacing;
+    const Vec3 point = section_at(way, place).origin;
+    const Vec3 behind = section_at(way, std::min(place + largest, way.length())).origin;
+    return LumenEnd{point, (point - behind).normalized(), largest};
 }
 
 }  // namespace braidzone

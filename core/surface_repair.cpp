@@ -1,11 +1,11 @@
 #include "core/surface_repair.hpp"
 
 #include "core/error.hpp"
+#include "core/mesh_topology.hpp"
+#include "core/place_text.hpp"
 #include "core/surface_check.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace braidzone {
 
@@ -103,28 +104,6 @@ void orient(Soup& soup, Notes& notes)
     }
 }
 
-void drop_small_parts(Mesh& mesh, Notes& notes)
-{
-    constexpr double smallest_share = 0.1;  // of the largest part's area
-    auto part_of = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
-    const std::size_t num_parts = PMP::connected_components(mesh, part_of);
-    std::vector<double> area(num_parts, 0.0);
-    for (const Mesh::Face_index face : mesh.faces()) {
-        area[part_of[face]] += PMP::face_area(face, mesh);
-    }
-    const double largest = *std::max_element(area.begin(), area.end());
-    std::vector<std::size_t> small_parts;
-    for (std::size_t part = 0; part < num_parts; ++part) {
-        if (area[part] < smallest_share * largest) small_parts.push_back(part);
-    }
-    if (!small_parts.empty()) {
-        PMP::remove_connected_components(mesh, small_parts, part_of);
-        notes.push_back(fmt::format("dropped {} separate parts of less than {:.6g} % of the area",
-                                    small_parts.size(), 100.0 * smallest_share));
-    }
-    mesh.remove_property_map(part_of);
-}
-
 void remove_flat_triangles(Mesh& mesh, Notes& notes)
 {
     mesh.collect_garbage();  // numbers the faces as in the copy that is examined
@@ -152,30 +131,179 @@ void remove_crossings(Mesh& mesh, Notes& notes)
                                 mesh.number_of_faces()));
 }
 
-}  // namespace
-
-std::pair<TriangleMesh, std::vector<std::string>> repair(const TriangleMesh& mesh)
+Mesh polygon_mesh_of(const Soup& soup)
 {
-    Notes notes;
+    Mesh surface;
+    PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, surface);
+    return surface;
+}
+
+/// Equal points one, repeated and flat triangles gone, split where it is not manifold.
+TriangleMesh with_clean_topology(const TriangleMesh& mesh, Notes& notes)
+{
     Soup soup = soup_of(mesh);
     drop_repeated_elements(soup, notes);
     orient(soup, notes);
-    Mesh surface;
-    PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, surface);
-    if (surface.number_of_faces() > 0) {
-        drop_small_parts(surface, notes);
-        // Where a fin was cut off at an edge, the two triangles beside it are joined again.
-        PMP::stitch_borders(surface);
-        remove_flat_triangles(surface, notes);
-        remove_crossings(surface, notes);
+    Mesh surface = polygon_mesh_of(soup);
+    if (surface.number_of_faces() > 0) remove_flat_triangles(surface, notes);
+    return triangle_mesh_of(surface);
+}
+
+TriangleMesh with_one_winding(const TriangleMesh& mesh, Notes& notes)
+{
+    Soup soup = soup_of(mesh);
+    orient(soup, notes);
+    return triangle_mesh_of(polygon_mesh_of(soup));
+}
+
+/// "a part of 12 triangles, 0.4 mm across, about (1, 2, 3) mm"
+std::string part_text(const TriangleMesh& part, const LengthUnit& unit)
+{
+    const Box box = bounding_box(part);
+    return fmt::format("a part of {} triangles, {:.4g} {} across, about {}", part.triangles.size(),
+                       (box.upper - box.lower).norm() / unit.metres, unit.name,
+                       place_text(0.5 * (box.lower + box.upper), unit));
+}
+
+/// The parts of a surface, largest area first.
+std::vector<TriangleMesh> parts_by_area(const TriangleMesh& mesh)
+{
+    std::vector<TriangleMesh> parts;
+    for (const std::vector<int>& triangles : connected_parts(mesh))
+        parts.push_back(submesh(mesh, triangles));
+    std::stable_sort(parts.begin(), parts.end(), [](const TriangleMesh& a, const TriangleMesh& b) {
+        return surface_area(a) > surface_area(b);
+    });
+    return parts;
+}
+
+/// The smaller parts, five at most by name, one a line.
+std::string smaller_parts_text(const TriangleMesh& mesh, const LengthUnit& unit)
+{
+    constexpr std::size_t most = 5;
+    const std::vector<TriangleMesh> parts = parts_by_area(mesh);
+    std::string text;
+    for (std::size_t k = 1; k < std::min(parts.size(), most + 1); ++k)
+        text += "  beside the largest: " + part_text(parts[k], unit) + "\n";
+    return text;
+}
+
+TriangleMesh largest_part(const TriangleMesh& mesh, const LengthUnit& unit, Notes& notes)
+{
+    constexpr double largest_share = 0.5;  // of the largest one's area: else which is the vessel?
+    const std::vector<TriangleMesh> parts = parts_by_area(mesh);
+    if (surface_area(parts[1]) > largest_share * surface_area(parts[0])) {
+        throw GeometryError(fmt::format(
+            "the surface has {} separate parts, and the second is no small one ({:.3g} % of the "
+            "largest one's area):\n{}take out what is not the vessel",
+            parts.size(), 100.0 * surface_area(parts[1]) / surface_area(parts[0]),
+            smaller_parts_text(mesh, unit)));
     }
-    TriangleMesh result = triangle_mesh_of(surface);
+    for (std::size_t k = 1; k < parts.size(); ++k)
+        notes.push_back("dropped " + part_text(parts[k], unit));
+    // Where a fin was cut off at an edge, the two triangles beside it are joined again.
+    Mesh surface = polygon_mesh_of(soup_of(parts.front()));
+    PMP::stitch_borders(surface);
+    return triangle_mesh_of(surface);
+}
+
+TriangleMesh without_crossings(const TriangleMesh& mesh, Notes& notes)
+{
+    Mesh surface = polygon_mesh_of(soup_of(mesh));
+    remove_crossings(surface, notes);
+    return triangle_mesh_of(surface);
+}
+
+/// The repairs that the defects call for; holes are no defect of the surface.
+Repairs needed_repairs(const SurfaceDefects& defects)
+{
+    Repairs needed;
+    needed.merge = !defects.degenerate_triangles.empty() || !defects.non_manifold_edges.empty() ||
+                   !defects.non_manifold_points.empty();
+    needed.normals = !defects.inconsistent_edges.empty();
+    needed.parts = defects.num_components > 1;
+    needed.self_intersections = !defects.intersecting_triangles.empty();
+    return needed;
+}
+
+constexpr std::array<std::pair<const char*, bool Repairs::*>, 5> repairs_by_name = {
+    {{"normals", &Repairs::normals},
+     {"merge", &Repairs::merge},
+     {"holes", &Repairs::holes},
+     {"self_intersections", &Repairs::self_intersections},
+     {"parts", &Repairs::parts}}};
+
+/// The largest number of rounds: a repair may bring another defect to light, as a fin that is cut
+/// off is a part.
+constexpr int most_rounds = 4;
+
+void require_allowed(const TriangleMesh& mesh, const SurfaceDefects& defects,
+                     const Repairs& allowed, const LengthUnit& unit)
+{
+    const Repairs needed = needed_repairs(defects);
+    Repairs all = allowed;
+    for (const auto& [name, member] : repairs_by_name)
+        all.*member = all.*member || needed.*member;
+    if (all == allowed && !mesh.triangles.empty()) return;
+    const std::string parts = needed.parts ? smaller_parts_text(mesh, unit) : "";
+    throw GeometryError(
+        fmt::format("the vessel's surface is defective:\n{}{}mend it, or state `{}` in "
+                    "[vessel]",
+                    describe(defects), parts, repair_text(all)));
+}
+
+}  // namespace
+
+std::vector<std::string> repair_names()
+{
+    std::vector<std::string> names;
+    for (const auto& [name, member] : repairs_by_name)
+        names.emplace_back(name);
+    return names;
+}
+
+Repairs repairs_at(const std::vector<std::size_t>& places)
+{
+    Repairs repairs;
+    for (const std::size_t place : places)
+        repairs.*(repairs_by_name.at(place).second) = true;
+    return repairs;
+}
+
+std::vector<std::string> names_of(const Repairs& repairs)
+{
+    std::vector<std::string> names;
+    for (const auto& [name, member] : repairs_by_name) {
+        if (repairs.*member) names.emplace_back(name);
+    }
+    return names;
+}
+
+std::string repair_text(const Repairs& repairs)
+{
+    return fmt::format("repair = [\"{}\"]", fmt::join(names_of(repairs), "\", \""));
+}
+
+std::pair<TriangleMesh, std::vector<std::string>> repair(const TriangleMesh& mesh,
+                                                         const Repairs& allowed,
+                                                         const LengthUnit& unit)
+{
+    Notes notes;
+    TriangleMesh result = mesh;
     SurfaceDefects defects = find_defects(result);
-    if (defects.is_inverted) {
-        for (std::array<int, 3>& corners : result.triangles)
-            std::swap(corners[1], corners[2]);
-        defects.is_inverted = false;
-        notes.push_back("turned all normals out of the lumen");
+    for (int round = 0; round < most_rounds && !is_sound(defects); ++round) {
+        require_allowed(result, defects, allowed, unit);
+        const Repairs needed = needed_repairs(defects);
+        if (needed.merge) result = with_clean_topology(result, notes);
+        if (needed.normals) result = with_one_winding(result, notes);
+        if (needed.parts) result = largest_part(result, unit, notes);
+        if (needed.self_intersections) result = without_crossings(result, notes);
+        if (defects.is_inverted) {
+            for (std::array<int, 3>& corners : result.triangles)
+                std::swap(corners[1], corners[2]);
+            notes.push_back("turned all normals out of the lumen");
+        }
+        defects = find_defects(result);
     }
     if (!is_sound(defects)) {
         throw GeometryError("the surface could not be repaired; what remains:\n" +

@@ -1,7 +1,11 @@
 #pragma once
 
 #include "core/length_unit.hpp"
+#include "core/opening.hpp"
+#include "core/opening_orders.hpp"
+#include "core/surface_labels.hpp"
 #include "core/surface_opening.hpp"
+#include "core/surface_repair.hpp"
 #include "core/triangle_mesh.hpp"
 
 #include <optional>
@@ -10,48 +14,54 @@
 
 namespace braidzone {
 
-/// An open end of the vessel.
-struct Opening {
-    Vec3 centre = Vec3::Zero();   ///< area centroid of the rim's polygon [m]
-    Vec3 normal = Vec3::UnitX();  ///< unit, out of the lumen
-    double area = 0.0;            ///< of the rim's polygon, seen along the normal [m^2]
-    double radius = 0.0;          ///< sqrt(area / pi) [m]
-    std::vector<int> rim;         ///< points of the wall, anticlockwise as seen from outside
-};
-
 /// A vessel: its wall, open at the ends, normals out of the lumen.
 struct Vessel {
     TriangleMesh wall;               ///< [m]
     std::vector<Opening> openings;   ///< largest area first
     LengthUnit unit;                 ///< that of the file, for output that overlays it
-    std::vector<std::string> notes;  ///< what was repaired or opened on request
+    std::vector<std::string> notes;  ///< what was changed or opened
 };
 
 struct VesselOptions {
-    bool repair = false;         ///< mend defects and holes instead of refusing them
+    Repairs repair = {};         ///< which defects are mended instead of refused
     double cap_angle_deg = 5.0;  ///< a cap's normals are within this of their mean
     /// Where a closed surface without flat caps is cut open; not used for any other surface.
     std::optional<VesselEnds> ends = std::nullopt;
+    std::vector<OpeningOrder> orders = {};  ///< openings to keep, cap or cut
+    /// Points of given centerlines [m]: a closed surface is cut open where they end, and so is a
+    /// rounded end of an open one.
+    std::vector<std::vector<Vec3>> lines = {};
 };
 
-/// The vessel of a surface: sound, opened at flat caps, with its openings measured.
+/// The vessel of a surface: sound, opened at its caps, with its openings measured.
 ///
-/// An open surface has its rims as openings. A surface with fewer than two rims is opened at its
-/// flat caps (`flat_caps`). A closed surface without flat caps, its ends being rounded off, is cut
-/// open at the given ends (`open_rounded_ends`); its other ends stay closed. Rims of less than a
-/// quarter of the largest opening's radius are holes.
+/// Corners that nearly coincide are merged (`merged_near_points`), and normals that all point
+/// inwards turned; both are noted. Other defects are refused or, where `repair` names them, mended
+/// (`repair` in surface_repair.hpp).
 ///
-/// With `repair`, defects are mended (`repair` in surface_repair.hpp) and holes closed by fans.
+/// The openings are the rims of an open surface, and the ends whose caps are labelled
+/// (`labelled_caps`). A rim without a tube behind it (`lumen_behind`) is a hole: it is refused, or
+/// closed by a fan if `repair.holes`. If fewer than two openings are left the surface is opened at
+/// its flat caps (`flat_caps`). Then the orders are carried out, and the surface is cut open where
+/// the lines end, or else, if it is closed still, at the given ends (`open_rounded_ends`); other
+/// rounded ends stay closed.
 ///
-/// @param surface  as `read_surface` returns it [m]
+/// @param surface  as `read_labelled_surface` returns it [m]
 /// @param unit     the unit of the file
-/// @throws GeometryError if the surface is defective or inverted (with the list of the defects) or
-///         has holes (with their place), unless `repair`; if it is closed without flat caps and
-///         has no ends given or cannot be cut open there; if it has fewer than two openings, or is
-///         no blood vessel by its size: the largest opening's diameter must lie in 0.5 to 30 mm,
-///         which catches a surface whose unit was stated wrongly
+/// @throws GeometryError if the surface is defective (with the list of the defects and the repair
+///         that is needed) or has holes (with their place); if it is closed and nothing tells where
+///         to open it (with the list of its rounded ends), or cannot be cut open there; if it has
+///         fewer than two openings, or is no blood vessel by its size: the largest opening's
+///         diameter must lie in 0.5 to 30 mm, which catches a surface whose unit was stated wrongly
+Vessel make_vessel(const LabelledSurface& surface, const LengthUnit& unit,
+                   const VesselOptions& options = {});
 Vessel make_vessel(const TriangleMesh& surface, const LengthUnit& unit,
                    const VesselOptions& options = {});
+
+/// A vessel whose wall has been moved, otherwise the same: its rims were judged before.
+/// @param wall  with the same rims, sound or not
+/// @throws GeometryError if the wall is defective, with the list of the defects
+Vessel with_wall(const Vessel& vessel, TriangleMesh wall);
 
 /// The closed surface of the lumen: the wall with each opening closed by a fan.
 struct ClosedLumen {

@@ -8,7 +8,7 @@ namespace braidzone {
 
 Lumen with_moved_wall(const Lumen& lumen, double offset)
 {
-    Vessel vessel = make_vessel(with_wall_offset(lumen.vessel.wall, offset), lumen.vessel.unit);
+    Vessel vessel = with_wall(lumen.vessel, with_wall_offset(lumen.vessel.wall, offset));
     WallTree wall(vessel);
     return {std::move(vessel), std::move(wall), lumen.centerline};
 }
@@ -16,8 +16,7 @@ Lumen with_moved_wall(const Lumen& lumen, double offset)
 Lumen straightened_lumen(const Lumen& lumen, const VesselStraightening& straightening)
 {
     WallWithCenterline bent_back = straightened(lumen.vessel.wall, lumen.centerline, straightening);
-    Vessel vessel = make_vessel(bent_back.wall, lumen.vessel.unit);
-    vessel.notes = lumen.vessel.notes;
+    Vessel vessel = with_wall(lumen.vessel, bent_back.wall);
     WallTree wall(vessel);
     return {std::move(vessel), std::move(wall), std::move(bent_back.centerline)};
 }

@@ -115,7 +115,7 @@ TEST(CaseFile, GivesEveryValueInSi)
     const Case job = read_case(folder.write("case.toml", everything));
     EXPECT_EQ(job.vessel.surface, "/data/vessel.vtp");
     EXPECT_EQ(job.vessel.unit.metres, 1e-2);
-    EXPECT_TRUE(job.vessel.repair);
+    EXPECT_EQ(job.vessel.repair, all_repairs);
     EXPECT_EQ(job.vessel.centerline, folder.path() / "lines" / "centerline.vtp");
     EXPECT_EQ(job.vessel.centerline_line, 2);
     EXPECT_TRUE(job.vessel.reverse_centerline);

@@ -225,7 +225,7 @@ TEST(ReadSurface, RefusesAnotherEnding)
     const fs::path path = folder.write("vessel.step", "ISO-10303-21;");
     EXPECT_THROW(read_surface(path, mm), InputError);
     EXPECT_EQ(message_of(path),
-              path.string() + ": ending \".step\" is not .stl, .vtp, .vtk, .ply or .obj");
+              path.string() + ": ending \".step\" is not .stl, .vtp, .vtu, .vtk, .ply or .obj");
 }
 
 TEST(ReadSurface, RefusesASurfaceWithoutTriangles)
@@ -239,6 +239,20 @@ TEST(ReadSurface, RefusesASurfaceWithoutTriangles)
     EXPECT_EQ(message_of(binary), binary.string() + ": the surface has no triangles");
 }
 
+// Two tetrahedra over the corner of the unit cube share a face: six faces, a volume of 2/6.
+TEST(ReadSurface, TakesTheBoundaryOfVolumeElements)
+{
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.write(
+        "grid.vtk",
+        "# vtk DataFile Version 3.0\ngrid\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 float\n"
+        "0 0 0 1 0 0 0 1 0 0 0 1 0 0 -1\nCELLS 2 10\n4 0 1 2 3\n4 0 2 1 4\nCELL_TYPES 2\n10\n10\n");
+    const LabelledSurface surface = read_labelled_surface(path, LengthUnit{"m", 1.0});
+    EXPECT_EQ(surface.mesh.triangles.size(), 6u);
+    EXPECT_NEAR(std::abs(enclosed_volume(surface.mesh)), 2.0 / 6.0, 1e-6);
+    EXPECT_EQ(surface.notes, std::vector<std::string>{"took the boundary of 2 volume elements"});
+}
+
 TEST(ReadSurface, RefusesALegacyFileOfAnotherDataSet)
 {
     const test::TemporaryFolder folder;
@@ -247,7 +261,8 @@ TEST(ReadSurface, RefusesALegacyFileOfAnotherDataSet)
         "# vtk DataFile Version 3.0\ngrid\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 1 1 1\n"
         "ORIGIN 0 0 0\nSPACING 1 1 1\n");
     EXPECT_THROW(read_surface(path, mm), InputError);
-    EXPECT_NE(message_of(path).find("DATASET POLYDATA is needed"), std::string::npos);
+    EXPECT_NE(message_of(path).find("DATASET POLYDATA or UNSTRUCTURED_GRID is needed"),
+              std::string::npos);
 }
 
 TEST(ReadSurface, RefusesAReferenceToAPointThatIsNotThere)

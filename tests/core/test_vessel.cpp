@@ -138,11 +138,19 @@ TEST(MakeVessel, RefusesAClosedSurfaceWithoutFlatCaps)
     TriangleMesh mesh = closed(test::tube(2e-3, 10e-3, 24, 10));
     mesh.points.back().z() += 1e-3;  // two domes
     mesh.points[mesh.points.size() - 2].z() -= 1e-3;
+    const std::string message = message_of(mesh);
     EXPECT_EQ(
-        message_of(mesh),
-        "the surface is closed and has no flat caps (normals within 5 degrees, a rim sharper "
-        "than 45 degrees) that could be opened; give end points in the lumen, vessel.from and "
-        "vessel.to, where it is to be cut open");
+        message.find("the surface is closed and has no flat caps (normals within 5 degrees, a "
+                     "rim sharper than 45 degrees) that could be opened; its ends are\n  0: "
+                     "about "),
+        0u)
+        << message;
+    EXPECT_NE(message.find("\n  1: about "), std::string::npos) << message;
+    EXPECT_EQ(message.find("\n  2: about "), std::string::npos) << message;
+    EXPECT_NE(message.find("\ncut two of them open in vessel.openings, or give end points in the "
+                           "lumen, vessel.from and vessel.to"),
+              std::string::npos)
+        << message;
 }
 
 // 24 sides on a circle of 2 mm: an area of 12.4233 mm^2, that of a circle of 3.97717 mm.
@@ -161,17 +169,18 @@ TEST(MakeVessel, RefusesAHoleWithItsPlaceInTheUnitOfTheFile)
     // 0.261052 mm^2, diameter 0.576526 mm; its middle is at the angle 7.5 degrees, on the chord.
     const TriangleMesh mesh = with_hole(test::tube(2e-3, 10e-3, 24, 20), 24);
     const std::string message = message_of(mesh);
-    EXPECT_EQ(message.find("the wall has 1 hole, the largest of 0.576526 mm diameter at "
-                           "(1.96593, 0.258819, 5.25) mm; "),
+    EXPECT_EQ(message.find("the wall has 1 opening far smaller than the lumen behind, without a "
+                           "tube that leads there:\n  0.576526 mm diameter at (1.96593, 0.258819, "
+                           "5.25) mm, where the lumen is 3."),
               0u)
         << message;
-    EXPECT_NE(message.find("`repair = true`"), std::string::npos);
+    EXPECT_NE(message.find("`repair = [\"holes\"]`"), std::string::npos);
 }
 
 TEST(MakeVessel, ClosesAHoleOnRequest)
 {
     const TriangleMesh tube = test::tube(2e-3, 10e-3, 24, 20);
-    const Vessel vessel = make_vessel(with_hole(tube, 24), mm, {.repair = true});
+    const Vessel vessel = make_vessel(with_hole(tube, 24), mm, {.repair = all_repairs});
     EXPECT_EQ(vessel.openings.size(), 2u);
     EXPECT_NEAR(surface_area(vessel.wall), surface_area(tube), 1e-12 * surface_area(tube));
     ASSERT_EQ(vessel.notes.size(), 1u);
@@ -179,15 +188,12 @@ TEST(MakeVessel, ClosesAHoleOnRequest)
               "closed a hole of 0.576526 mm diameter at (1.96593, 0.258819, 5.25) mm");
 }
 
-TEST(MakeVessel, RefusesAnInvertedSurfaceAndNamesTheRemedy)
+TEST(MakeVessel, TurnsAnInvertedSurfaceAndSaysSo)
 {
     TriangleMesh mesh = test::tube(2e-3, 10e-3, 24, 10);
     for (auto& corners : mesh.triangles)
         std::swap(corners[0], corners[1]);
-    EXPECT_EQ(message_of(mesh),
-              "the vessel's surface is defective:\nthe normals point into the lumen\n"
-              "mend it, or state `repair = true` in [vessel]");
-    const Vessel vessel = make_vessel(mesh, mm, {.repair = true});
+    const Vessel vessel = make_vessel(mesh, mm);
     EXPECT_EQ(vessel.notes, std::vector<std::string>{"turned all normals out of the lumen"});
     EXPECT_TRUE(is_sound(find_defects(vessel.wall)));
 }
@@ -198,7 +204,7 @@ TEST(MakeVessel, RefusesDefectsByElement)
     mesh.triangles.push_back({5, 5, 6});
     EXPECT_EQ(message_of(mesh),
               "the vessel's surface is defective:\n1 degenerate triangles: 480\n"
-              "mend it, or state `repair = true` in [vessel]");
+              "mend it, or state `repair = [\"merge\"]` in [vessel]");
 }
 
 TEST(MakeVessel, RefusesNoTriangles)
@@ -221,6 +227,111 @@ TEST(MakeVessel, RefusesAVesselInTheWrongUnit)
 TEST(MakeVessel, KeepsTheUnitOfTheFile)
 {
     EXPECT_EQ(make_vessel(test::tube(2e-3, 10e-3, 24, 10), LengthUnit{"cm", 1e-2}).unit.name, "cm");
+}
+
+// A part of another kind of repair is not done by the way.
+TEST(MakeVessel, DoesNoRepairThatIsNotNamed)
+{
+    const TriangleMesh tube = test::tube(2e-3, 10e-3, 24, 20);
+    const TriangleMesh crumb = test::box(Vec3(5e-3, 0, 0), Vec3(5.1e-3, 0.2e-3, 0.2e-3));
+    const TriangleMesh mesh = test::joined(with_hole(tube, 24), crumb);
+    EXPECT_EQ(message_of(mesh, mm, {.repair = {.holes = true}}),
+              "the vessel's surface is defective:\n2 separate parts instead of 1\n"
+              "  beside the largest: a part of 12 triangles, 0.3 mm across, about (5.05, 0.1, 0.1) "
+              "mm\n"
+              "mend it, or state `repair = [\"holes\", \"parts\"]` in [vessel]");
+    EXPECT_EQ(message_of(mesh, mm, {.repair = {.parts = true}}).find("the wall has 1 opening"), 0u);
+    const Vessel vessel = make_vessel(mesh, mm, {.repair = {.holes = true, .parts = true}});
+    ASSERT_EQ(vessel.notes.size(), 2u);
+    EXPECT_EQ(vessel.notes[0],
+              "dropped a part of 12 triangles, 0.3 mm across, about (5.05, 0.1, 0.1) mm");
+    EXPECT_EQ(vessel.openings.size(), 2u);
+}
+
+// 1e-6 mm of 0.5 mm edges: the two halves of a tube do not quite meet.
+TEST(MakeVessel, ClosesACrackOfRoundingAndSaysSo)
+{
+    const TriangleMesh tube = test::tube(2e-3, 10e-3, 24, 20);
+    TriangleMesh mesh = tube;
+    const int offset = static_cast<int>(mesh.points.size());
+    for (int k = 0; k < 24; ++k)
+        mesh.points.push_back(mesh.points[static_cast<std::size_t>(10 * 24 + k)] +
+                              Vec3(1e-9, -1e-9, 1e-9));
+    for (std::size_t k = 10 * 48; k < 11 * 48; ++k) {
+        for (int& corner : mesh.triangles[k])
+            corner = corner < 11 * 24 ? corner - 10 * 24 + offset : corner;
+    }
+    const Vessel vessel = make_vessel(mesh, mm);
+    EXPECT_EQ(vessel.openings.size(), 2u);
+    EXPECT_EQ(vessel.wall.triangles.size(), tube.triangles.size());
+    EXPECT_EQ(vessel.notes,
+              std::vector<std::string>{
+                  "merged 24 points nearer to another one than 1e-4 of the edges there"});
+}
+
+// The largest opening is number 0; both are 4 and 3 mm wide.
+TEST(MakeVessel, KeepsCapsAndCutsAsOrdered)
+{
+    const TriangleMesh tube = test::tube(2e-3, 10e-3, 24, 20);
+    const Vec3 hole(1.96593e-3, 0.258819e-3, 5.25e-3);
+    const Vessel kept =
+        make_vessel(with_hole(tube, 24), mm, {.orders = {{hole, OpeningAction::keep}}});
+    EXPECT_EQ(kept.openings.size(), 3u);
+    const Vessel capped =
+        make_vessel(with_hole(tube, 24), mm, {.orders = {{hole, OpeningAction::cap}}});
+    EXPECT_EQ(capped.openings.size(), 2u);
+    EXPECT_NEAR(surface_area(capped.wall), surface_area(tube), 1e-12 * surface_area(tube));
+    const Vessel cut =
+        make_vessel(tube, mm, {.orders = {{Vec3(0, 0, 8.25e-3), OpeningAction::cut}}});
+    ASSERT_EQ(cut.openings.size(), 2u);
+    EXPECT_NEAR(surface_area(cut.wall), 0.825 * surface_area(tube), 1e-9 * surface_area(tube));
+    EXPECT_EQ(cut.openings[0].kind == "cut", cut.openings[0].centre.z() > 5e-3);
+    EXPECT_NE(cut.openings[0].kind, cut.openings[1].kind);
+}
+
+// A capsule: its two ends are numbers 0 and 1, as nothing is open.
+TEST(MakeVessel, CutsTheRoundedEndsThatAreOrdered)
+{
+    const Vessel vessel =
+        make_vessel(test::capsule(2e-3, 12e-3, 48, 48), mm,
+                    {.orders = {{0, OpeningAction::cut}, {1, OpeningAction::cut}}});
+    ASSERT_EQ(vessel.openings.size(), 2u);
+    for (const Opening& opening : vessel.openings) {
+        EXPECT_EQ(opening.kind, "cut");
+        EXPECT_NEAR(opening.radius, 2e-3, 0.02e-3);
+    }
+    // A prism of 12 mm, up to the width of the bands that find the ends' middles.
+    EXPECT_NEAR(surface_area(vessel.wall), 2.0 * pi * 2e-3 * 12e-3, 0.1 * 2.0 * pi * 2e-3 * 12e-3);
+}
+
+TEST(MakeVessel, RefusesOrdersThatNameNothing)
+{
+    const TriangleMesh tube = test::tube(2e-3, 10e-3, 24, 20);
+    EXPECT_EQ(message_of(tube, mm, {.orders = {{2, OpeningAction::cap}}}),
+              "vessel.openings names opening 2; the vessel has 2 that could be kept or capped");
+    EXPECT_EQ(message_of(tube, mm, {.orders = {{Vec3(9e-3, 0, 0), OpeningAction::keep}}}),
+              "vessel.openings names (9, 0, 0) mm, but no opening lies there: a point names an "
+              "opening whose middle is nearer to it than the opening is wide");
+    EXPECT_EQ(message_of(tube, mm, {.orders = {{5, OpeningAction::cut}}}),
+              "vessel.openings cuts at 5; the vessel has 2 openings and 0 rounded ends");
+    EXPECT_EQ(message_of(tube, mm, {.orders = {{Vec3(9e-3, 0, 0), OpeningAction::cut}}}),
+              "vessel.openings cuts at (9, 0, 0) mm, which is not in the lumen");
+}
+
+// A line along a capsule from 1 mm to 11 mm of its 12 mm cylinder, and one from tip to tip.
+TEST(MakeVessel, CutsAClosedSurfaceWhereALineEnds)
+{
+    const TriangleMesh surface = test::capsule(2e-3, 12e-3, 48, 48);
+    const std::vector<Vec3> line{Vec3(0, 0, 1e-3), Vec3(0, 0, 6e-3), Vec3(0, 0, 11e-3)};
+    const Vessel vessel = make_vessel(surface, mm, {.lines = {line}});
+    ASSERT_EQ(vessel.openings.size(), 2u);
+    EXPECT_NEAR(surface_area(vessel.wall), 2.0 * pi * 2e-3 * 10e-3, 0.01 * 2.0 * pi * 2e-3 * 10e-3);
+    const std::vector<Vec3> whole{Vec3(0, 0, -2e-3), Vec3(0, 0, 6e-3), Vec3(0, 0, 14e-3)};
+    EXPECT_EQ(make_vessel(surface, mm, {.lines = {whole}}).openings.size(), 2u);
+    // An open vessel is not cut where a line ends within it.
+    const TriangleMesh tube = test::tube(2e-3, 20e-3, 24, 20);
+    const std::vector<Vec3> part{Vec3(0, 0, 8e-3), Vec3(0, 0, 10e-3), Vec3(0, 0, 12e-3)};
+    EXPECT_EQ(make_vessel(tube, mm, {.lines = {part}}).wall.points, tube.points);
 }
 
 TEST(CloseOpenings, FansEachOpeningAfterTheWall)
