@@ -21,7 +21,7 @@ TEST_P(RandomSiphon, HoldsTheDevice)
 }
 
 // With and without a push, nominal and force-free; more of them: siphons/README.md.
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomSiphon, testing::Values(2u, 5u, 7u, 8u, 10u, 12u));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomSiphon, testing::Values(5u, 6u, 7u, 8u, 10u, 12u));
 
 }  // namespace
 }  // namespace braidzone::test

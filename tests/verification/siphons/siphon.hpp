@@ -134,11 +134,14 @@ inline Siphon draw_siphon(Draw& draw)
         ++made;
     }
     const double diameter = 2.0 * widest * draw.between(0.95, 1.2);
-    const double length = std::min(draw.between(12e-3, 20e-3), axis.length - 10e-3);
-    siphon.device = pipeline(diameter, length);
     siphon.force_free = draw.chance(0.5);
+    // Released at force-free spacing a braid wider than the vessel lies up to 1.8 times as long.
+    const double room = (axis.length - 6e-3) / (siphon.force_free ? 1.8 : 1.0);
+    const double length = std::min(draw.between(12e-3, 20e-3), room);
+    siphon.device = pipeline(diameter, length);
     const double slack = axis.length - length;
-    siphon.landing_distal = axis.length - draw.between(0.15, 0.5) * slack;
+    siphon.landing_distal =
+        axis.length - (siphon.force_free ? 3e-3 : draw.between(0.15, 0.5) * slack);
     if (draw.chance(0.25)) {
         siphon.push = {siphon.landing_distal - 0.6 * length, siphon.landing_distal - 0.3 * length};
     }

@@ -47,7 +47,7 @@ std::string line_of(unsigned seed, const Siphon& siphon, const Outcome& outcome)
 }
 
 struct Totals {
-    int made = 0, unmade = 0, refused = 0, inverted = 0, outside = 0;
+    int made = 0, unmade = 0, too_small = 0, refused = 0, inverted = 0, outside = 0;
     int mouths = 0, found = 0, invented = 0;
     double time = 0.0;
     std::string failing;
@@ -60,6 +60,11 @@ void add(Totals& totals, unsigned seed, const Outcome& outcome)
         return;
     }
     ++totals.made;
+    // A device of 0.95 times the vessel's width may rightly be refused.
+    if (outcome.refused.find("too small") != std::string::npos) {
+        ++totals.too_small;
+        return;
+    }
     totals.refused += !outcome.refused.empty();
     totals.inverted += outcome.inverted > 0;
     totals.outside += outcome.outside > 0;
@@ -99,10 +104,12 @@ int main(int argc, char** argv)
         (lines.empty() ? std::cout : file) << line << std::endl;
     }
     std::cout << fmt::format(
-        "{} siphons deployed, {} not made\nrefused {}\nwith inverted rhombi {}\nwith nodes outside "
+        "{} siphons, {} not made\nrefused as too small for the vessel {}\nelse refused {}\nwith "
+        "inverted rhombi {}\nwith nodes outside "
         "{}\nmouths found {} of {}, {} where nothing is\nCPU time {:.2f} s each\nfailing "
         "seeds:{}\n",
-        totals.made, totals.unmade, totals.refused, totals.inverted, totals.outside, totals.found,
-        totals.mouths, totals.invented, totals.time / std::max(1, totals.made), totals.failing);
+        totals.made, totals.unmade, totals.too_small, totals.refused, totals.inverted,
+        totals.outside, totals.found, totals.mouths, totals.invented,
+        totals.time / std::max(1, totals.made), totals.failing);
     return EXIT_SUCCESS;
 }
