@@ -21,7 +21,7 @@ Polyline parent_axis(const Phantom& phantom, const PhantomAxis& axis, double to,
     for (int i = 0; i <= intervals; ++i) {
         const double arc_length = to * i / intervals;
         line.points.push_back(section_along(axis, arc_length).origin);
-        line.inscribed_radii.push_back(parent_radius(phantom, arc_length));
+        line.inscribed_radii.push_back(parent_half_axes(phantom, arc_length).smaller);
     }
     return line;
 }
@@ -42,6 +42,7 @@ Polyline axis_through_first_daughter(const Phantom& phantom, const PhantomAxis& 
     const double corner =
         std::min({3.0 * bifurcation.radius * half_tangent, last_length, 0.5 * bifurcation.length});
 
+    const double parent_radius = parent_half_axes(phantom, axis.length).smaller;
     Polyline line = parent_axis(phantom, axis, axis.length - corner, spacing);
     const auto add = [&](const Vec3& point) {
         const Vec3 offset = point - apex.origin;
@@ -50,7 +51,7 @@ Polyline axis_through_first_daughter(const Phantom& phantom, const PhantomAxis& 
         const double from_daughter = (offset - offset.dot(daughter) * daughter).norm();
         line.points.push_back(point);
         line.inscribed_radii.push_back(
-            std::max(phantom.distal_radius - from_parent, bifurcation.radius - from_daughter));
+            std::max(parent_radius - from_parent, bifurcation.radius - from_daughter));
     };
     const double bend_radius = corner / half_tangent;
     const Vec3 start = apex.origin - corner * apex.tangent;

@@ -55,6 +55,10 @@ struct Phantom {
     std::vector<PhantomSegment> segments;  ///< the parent vessel, proximal end first
     double proximal_radius = 2e-3;         ///< [m]
     double distal_radius = 2e-3;           ///< [m]; linear taper between the two
+    /// Smaller over larger half axis of the parent vessel's section, an ellipse with the area of
+    /// the circle of the radii above; 0.5 to 1, 1: round.
+    double ovality = 1.0;
+    double oval_direction = 0.0;  ///< of the larger half axis, from the frame's normal [rad]
     std::vector<PhantomSac> sacs;
     std::vector<PhantomBranch> branches;
     std::optional<PhantomBifurcation> bifurcation;
@@ -72,6 +76,9 @@ struct PhantomVessel {
 
 /// Makes an idealised vessel: the zero level of a smooth union of tubes and ellipsoids, meshed with
 /// nearly equilateral triangles whose points lie on that level, cut square at the ends.
+///
+/// An oval section keeps its direction in the rotation-minimising frame; the centerline's radii are
+/// then its smaller half axes, those of the inscribed spheres.
 ///
 /// @throws ConfigError if a parameter is out of range (a neck wider than its sac, a bend tighter
 ///         than the radius, a part that does not touch the parent vessel)

@@ -60,7 +60,13 @@ void require_valid_parent(const Phantom& phantom)
     if (phantom.segments.empty()) {
         throw ConfigError("the phantom has no segment; its parent vessel needs at least one");
     }
-    const double widest = std::max(phantom.proximal_radius, phantom.distal_radius);
+    if (!(phantom.ovality >= 0.5 && phantom.ovality <= 1.0)) {
+        throw ConfigError(
+            fmt::format("ovality = {:.6g}; allowed are 0.5 to 1 (round)", phantom.ovality));
+    }
+    require_direction(phantom.oval_direction, "oval direction");
+    const double widest = std::max(parent_half_axes(phantom, 0.0).larger,
+                                   parent_half_axes(phantom, axis_length(phantom)).larger);
     const double narrowest = std::min(phantom.proximal_radius, phantom.distal_radius);
     // Six edges around are the least that still make a tube.
     if (phantom.edge_length > narrowest) {

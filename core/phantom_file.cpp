@@ -55,6 +55,9 @@ Phantom read_phantom(const TomlTable& file)
     phantom.proximal_radius = vessel.quantity("proximal_radius", Dimension::length);
     phantom.distal_radius =
         vessel.quantity_or("distal_radius", Dimension::length, phantom.proximal_radius);
+    phantom.ovality = vessel.number_or("ovality", phantom.ovality);
+    phantom.oval_direction =
+        vessel.quantity_or("oval_direction", Dimension::angle, phantom.oval_direction);
     phantom.edge_length = vessel.quantity_or("edge_length", Dimension::length, phantom.edge_length);
     phantom.blend_radius =
         vessel.quantity_or("blend_radius", Dimension::length, phantom.blend_radius);

@@ -10,6 +10,8 @@ namespace braidzone {
 ///     [vessel]
 ///     proximal_radius = "1.95 mm"
 ///     distal_radius = "1.85 mm"    # default: as proximal
+///     ovality = 0.8                # smaller over larger half axis; default 1: round
+///     oval_direction = "30 deg"    # of the larger half axis, from the normal; default 0
 ///     edge_length = "0.4 mm"       # default 0.4 mm
 ///     blend_radius = "0.3 mm"      # default 0.3 mm
 ///     [[segment]]                  # one or more, proximal end first

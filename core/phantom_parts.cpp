@@ -18,6 +18,22 @@ Box united(const Box& a, const Box& b)
     return {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
 }
 
+/// Level of the parent vessel by the section nearest to the point; beyond the ends of a piece that
+/// of an ellipsoid, which the neighbouring piece holds.
+double section_level(const Phantom& phantom, const CrossSection& section, double arc_length,
+                     const Vec3& point)
+{
+    const Vec3 offset = point - section.origin;
+    if (phantom.ovality == 1.0) return offset.norm() - parent_radius(phantom, arc_length);
+    const double cosine = std::cos(phantom.oval_direction);
+    const double sine = std::sin(phantom.oval_direction);
+    const double normal = offset.dot(section.normal), binormal = offset.dot(section.binormal);
+    const HalfAxes axes = parent_half_axes(phantom, arc_length);
+    return ellipsoid_level({cosine * normal + sine * binormal, cosine * binormal - sine * normal,
+                            offset.dot(section.tangent)},
+                           {axes.larger, axes.smaller, axes.smaller});
+}
+
 }  // namespace
 
 double axis_length(const Phantom& phantom)
@@ -34,6 +50,21 @@ double parent_radius(const Phantom& phantom, double arc_length)
     return (1.0 - fraction) * phantom.proximal_radius + fraction * phantom.distal_radius;
 }
 
+HalfAxes parent_half_axes(const Phantom& phantom, double arc_length)
+{
+    const double radius = parent_radius(phantom, arc_length);
+    return {radius / std::sqrt(phantom.ovality), radius * std::sqrt(phantom.ovality)};
+}
+
+double ellipsoid_level(const Vec3& point, const Vec3& half_axes)
+{
+    const Vec3 scaled = point.cwiseQuotient(half_axes);
+    const double k0 = scaled.norm();
+    const double k1 = scaled.cwiseQuotient(half_axes).norm();
+    if (!(k1 > 0.0)) return -half_axes.minCoeff();
+    return k0 * (k0 - 1.0) / k1;
+}
+
 PhantomPart parent_tube(const Phantom& phantom, const PhantomAxis& axis, double proximal_overhang,
                         double distal_overhang)
 {
@@ -44,12 +75,14 @@ PhantomPart parent_tube(const Phantom& phantom, const PhantomAxis& axis, double 
         double lowest = std::numeric_limits<double>::infinity();
         for (const AxisPiece& piece : extended.pieces) {
             const double along = nearest_along(piece, point);
-            const double distance = (point - section_along(piece, along).origin).norm();
-            lowest = std::min(lowest, distance - parent_radius(phantom, piece.arc_length + along));
+            lowest = std::min(lowest, section_level(phantom, section_along(piece, along),
+                                                    piece.arc_length + along, point));
         }
         return lowest;
     };
-    const double widest = std::max(phantom.proximal_radius, phantom.distal_radius);
+    const double widest =
+        std::max(parent_half_axes(phantom, 0.0).larger,
+                 parent_half_axes(phantom, std::numeric_limits<double>::infinity()).larger);
     part.bounds = box_around(extended.pieces.front().start.origin, widest);
     for (const AxisPiece& piece : extended.pieces) {
         // Between points a quarter of a radius apart the axis stays within a radius of them.
@@ -85,11 +118,7 @@ PhantomPart ellipsoid(const std::string& name, const PhantomSac& sac, const Vec3
         const Vec3 offset = point - centre;
         const double along = offset.dot(outwards);
         const double across = (offset - along * outwards).norm();
-        const double k0 = std::hypot(across / half_across, along / half_height);
-        const double k1 =
-            std::hypot(across / (half_across * half_across), along / (half_height * half_height));
-        if (!(k1 > 0.0)) return -std::min(half_across, half_height);
-        return k0 * (k0 - 1.0) / k1;
+        return ellipsoid_level({across, 0.0, along}, {half_across, half_across, half_height});
     };
     part.bounds = box_around(centre, std::max(half_across, half_height));
     return part;

@@ -21,6 +21,16 @@ double axis_length(const Phantom& phantom);
 /// Radius of the parent vessel at an arc length, clamped to its ends [m].
 double parent_radius(const Phantom& phantom, double arc_length);
 
+/// Half axes of an elliptic section [m].
+struct HalfAxes {
+    double larger = 0.0;
+    double smaller = 0.0;
+};
+
+/// Half axes of the parent vessel's section at an arc length, r / sqrt(ovality) and
+/// r sqrt(ovality): the area is that of the circle of radius r.
+HalfAxes parent_half_axes(const Phantom& phantom, double arc_length);
+
 /// The parent vessel about its axis, with straight overhangs and round ends beyond them [m].
 PhantomPart parent_tube(const Phantom& phantom, const PhantomAxis& axis, double proximal_overhang,
                         double distal_overhang);
@@ -28,11 +38,14 @@ PhantomPart parent_tube(const Phantom& phantom, const PhantomAxis& axis, double 
 /// A tube with round ends about the line between two points.
 PhantomPart straight_tube(const std::string& name, const Vec3& from, const Vec3& to, double radius);
 
-/// An ellipsoid of revolution about `outwards`. Its level has unit gradient on the wall:
+/// Level of an ellipsoid with its axes along the coordinates, of unit gradient on its surface:
 ///
 ///     f = k0 (k0 - 1) / k1,  k0 = |p / a|, k1 = |p / a^2|, a the half axes;
 ///
-/// for a sphere this is the distance.
+/// for a sphere this is the distance [m].
+double ellipsoid_level(const Vec3& point, const Vec3& half_axes);
+
+/// An ellipsoid of revolution about `outwards`.
 PhantomPart ellipsoid(const std::string& name, const PhantomSac& sac, const Vec3& centre,
                       const Vec3& outwards);
 

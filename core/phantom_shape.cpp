@@ -156,7 +156,7 @@ PhantomShape make_shape(const Phantom& phantom)
     shape.overhang = 3.0 * phantom.edge_length;
 
     const CrossSection inlet = section_along(shape.axis, 0.0);
-    shape.ends.push_back({inlet.origin, -inlet.tangent, phantom.proximal_radius, 0});
+    shape.ends.push_back({inlet.origin, -inlet.tangent, parent_half_axes(phantom, 0.0).larger, 0});
     if (phantom.bifurcation) {
         const PhantomBifurcation& bifurcation = *phantom.bifurcation;
         // The parent's round end must not bulge through the crotch of the daughters; ending early
@@ -169,7 +169,8 @@ PhantomShape make_shape(const Phantom& phantom)
         add_daughters(shape, bifurcation);
     } else {
         const CrossSection outlet = section_along(shape.axis, shape.axis.length);
-        shape.ends.push_back({outlet.origin, outlet.tangent, phantom.distal_radius, 0});
+        shape.ends.push_back({outlet.origin, outlet.tangent,
+                              parent_half_axes(phantom, shape.axis.length).larger, 0});
         shape.parts.push_back(parent_tube(phantom, shape.axis, shape.overhang, shape.overhang));
     }
     for (std::size_t i = 0; i < phantom.branches.size(); ++i) {

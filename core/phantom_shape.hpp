@@ -12,7 +12,7 @@ namespace braidzone {
 struct PhantomEnd {
     Vec3 centre = Vec3::Zero();
     Vec3 outwards = Vec3::UnitX();  ///< unit, along the tube
-    double radius = 0.0;            ///< of the tube [m]
+    double radius = 0.0;            ///< of the tube; its larger half axis [m]
     std::size_t part = 0;           ///< index of the tube
 };
 

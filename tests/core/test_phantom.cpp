@@ -112,6 +112,26 @@ TEST(MakePhantom, TapersLinearly)
     }
 }
 
+// Half axes r / sqrt(0.64) = 1.25 r along z and r sqrt(0.64) = 0.8 r along y.
+TEST(MakePhantom, OvalSectionIsAnEllipseOfTheSameArea)
+{
+    Phantom phantom = straight();
+    phantom.ovality = 0.64;
+    phantom.oval_direction = 0.5 * pi;
+    const PhantomVessel made = make_phantom(phantom);
+    for (const Vec3& point : made.wall.points) {
+        EXPECT_NEAR(std::hypot(point.y() / 1.6e-3, point.z() / 2.5e-3), 1.0, 1e-6);
+    }
+    for (const double radius : made.centerline.inscribed_radii)
+        EXPECT_NEAR(radius, 1.6e-3, 1e-12);
+    const Vessel vessel = make_vessel(made.wall, mm);
+    EXPECT_EQ(vessel.openings.size(), 2u);
+    const double exact = pi * 2e-3 * 2e-3 * 12e-3;
+    const double volume = enclosed_volume(close_openings(vessel).mesh);
+    EXPECT_GT(volume, 0.99 * exact);
+    EXPECT_LT(volume, exact);
+}
+
 // Points between the ends of a bend of radius R about (0, R, 0) lie on a torus.
 TEST(MakePhantom, BendIsATorus)
 {
@@ -345,6 +365,15 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"blend radius = 0 mm", [](Phantom& p) { p.blend_radius = 0.0; }},
         Refusal{"edge length = 2.5 mm; at most the smallest radius",
                 [](Phantom& p) { p.edge_length = 2.5e-3; }},
+        Refusal{"ovality = 0.4; allowed are 0.5 to 1", [](Phantom& p) { p.ovality = 0.4; }},
+        Refusal{"ovality = nan", [](Phantom& p) { p.ovality = nan; }},
+        Refusal{"oval direction = 400 deg",
+                [](Phantom& p) { p.oval_direction = 400.0 * pi / 180.0; }},
+        Refusal{"a bend of radius 2.4 mm; it must exceed the vessel's radius, 2.5 mm",
+                [](Phantom& p) {
+                    p.ovality = 0.64;
+                    p.segments = {{.length = 2.4e-3, .angle = 1.0}};
+                }},
         Refusal{"segment 1: length = 0 mm", [](Phantom& p) { p.segments[0].length = 0.0; }},
         Refusal{"segment 1: angle = nan deg", [](Phantom& p) { p.segments[0].angle = nan; }},
         Refusal{"a bend of radius 1.6 mm; it must exceed the vessel's radius, 2 mm",

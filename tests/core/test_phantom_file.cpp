@@ -30,6 +30,8 @@ TEST(ReadPhantom, ReadsEveryKey)
 [vessel]
 proximal_radius = "1.95 mm"
 distal_radius = "1.8 mm"
+ovality = 0.8
+oval_direction = "30 deg"
 edge_length = "350 um"
 blend_radius = "0.2 mm"
 [[segment]]
@@ -58,6 +60,8 @@ half_angle = "40 deg"
 )");
     EXPECT_DOUBLE_EQ(phantom.proximal_radius, 1.95e-3);
     EXPECT_DOUBLE_EQ(phantom.distal_radius, 1.8e-3);
+    EXPECT_DOUBLE_EQ(phantom.ovality, 0.8);
+    EXPECT_DOUBLE_EQ(phantom.oval_direction, 30.0 * degree);
     EXPECT_DOUBLE_EQ(phantom.edge_length, 0.35e-3);
     EXPECT_DOUBLE_EQ(phantom.blend_radius, 0.2e-3);
     ASSERT_EQ(phantom.segments.size(), 2u);
