@@ -2,6 +2,7 @@
 
 #include "cli/foam_keys.hpp"
 #include "cli/key_checks.hpp"
+#include "cli/key_ranges.hpp"
 #include "cli/porous_keys.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
@@ -301,6 +302,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     job.exports = read_exports(root.tables("export"), job.deposit.spacing);
     job.measurement = read_measurement(root.table_or_empty("measurement"));
     root.finish();
+    root.require_ranges(case_key_ranges());
     require_vdb_spacing("grid.spacing", job.deposit.spacing, job.vessel.unit);
     if (job.exports.surfaces) {
         require_possible_wires(job.device, *job.exports.surfaces);

@@ -41,10 +41,24 @@ Polyline read_given_centerline(const VesselSource& source, const Vessel& vessel,
         std::reverse(line.points.begin(), line.points.end());
         std::reverse(line.inscribed_radii.begin(), line.inscribed_radii.end());
     }
+    if (source.wall_offset != 0.0) line.inscribed_radii.clear();  // those of the wall as it was
     try {
         return with_inscribed_radii(line, wall);
     } catch (const GeometryError& error) {
         throw GeometryError(fmt::format("{}: {}", source.centerline->string(), error.what()));
+    }
+}
+
+/// The vessel with its wall moved, if nothing of it crosses itself then.
+Vessel moved_outwards(const Vessel& vessel, double offset)
+{
+    try {
+        return with_wall(vessel, with_wall_offset(vessel.wall, offset));
+    } catch (const GeometryError& error) {
+        throw GeometryError(fmt::format(
+            "the surface is sound as it is, and no longer with vessel.wall_offset = {:.6g} mm "
+            "(take a smaller one, or a surface with larger triangles): {}",
+            1e3 * offset, error.what()));
     }
 }
 
@@ -62,7 +76,7 @@ Vessel read_vessel(const VesselSource& source)
     try {
         Vessel vessel = make_vessel(surface, source.unit, options);
         if (source.wall_offset == 0.0) return vessel;
-        return with_wall(vessel, with_wall_offset(vessel.wall, source.wall_offset));
+        return moved_outwards(vessel, source.wall_offset);
     } catch (const GeometryError& error) {
         throw GeometryError(fmt::format("{}: {}", source.surface.string(), error.what()));
     }

@@ -1,4 +1,5 @@
 #include "cli/case_geometry.hpp"
+#include "cli/case_notes.hpp"
 #include "cli/commands.hpp"
 #include "core/rounded_ends.hpp"
 #include "core/triangle_mesh.hpp"
@@ -158,6 +159,12 @@ void print_resistance(const Case& job, const ResistanceSheet& sheet)
         fmt::print("  note: {}\n", warning);
 }
 
+void print_notes(const std::vector<std::string>& notes)
+{
+    for (const std::string& note : notes)
+        fmt::print("  note: {}\n", note);
+}
+
 /// The flow of the OpenFOAM case, opening by opening.
 void print_flow(const FoamFlow& flow, const Chain& chain)
 {
@@ -216,6 +223,9 @@ void check_case(const std::filesystem::path& case_file, const CommonOptions& opt
         print_openings(chain.second->deployment, chain.second->openings);
     }
     print_resistance(job, chain.resistance);
+    print_notes(unit_slip_notes(job, chain.centerline));
+    print_notes(inversion_notes(chain.deployment, job.vessel.unit));
+    if (chain.second) print_notes(inversion_notes(chain.second->deployment, job.vessel.unit));
     if (job.exports.openfoam) print_flow(job.exports.openfoam->flow, chain);
     if (job.rheology) fmt::print("  note: {}\n", rheology_note(job.fluid));
     const BraidLattice& lattice = chain.deployment.lattice;

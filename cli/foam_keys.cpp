@@ -104,9 +104,9 @@ FoamCaseOptions read_foam_options(const TomlTable& table)
     options.flow.outlets = read_outlets(table);
     options.coarse_cell = positive_or(table, "coarse_cell", Dimension::length, options.coarse_cell);
     options.surface_refinement =
-        integer_in_range(table, "surface_refinement", options.surface_refinement, 0, 8);
+        integer_in_range(table, "surface_refinement", options.surface_refinement, 0, 6);
     options.device_refinement =
-        integer_in_range(table, "device_refinement", options.device_refinement, 0, 8);
+        integer_in_range(table, "device_refinement", options.device_refinement, 0, 6);
     options.form = read_form(table, options.form);
     options.most_zones = integer_in_range(table, "most_zones", options.most_zones, 1, 4096);
     return options;

@@ -2,6 +2,7 @@
 
 #include "cli/changed_keys.hpp"
 #include "cli/key_checks.hpp"
+#include "cli/key_ranges.hpp"
 #include "core/error.hpp"
 #include "core/toml_reader.hpp"
 #include "deploy/device_library.hpp"
@@ -72,6 +73,7 @@ PressFile read_press_file(const std::filesystem::path& file,
     press.device = read_device(root.table("device"), press.device_notes);
     press.options = read_options(root.table_or_empty("press"));
     root.finish();
+    root.require_ranges(press_key_ranges());
     return press;
 }
 

@@ -2,6 +2,7 @@
 
 #include "cli/changed_keys.hpp"
 #include "cli/key_checks.hpp"
+#include "cli/key_ranges.hpp"
 #include "cli/porous_keys.hpp"
 #include "core/error.hpp"
 #include "deploy/device_library.hpp"
@@ -74,6 +75,7 @@ PressureFile read_pressure_file(const std::filesystem::path& file,
     pressure.bench.law = read_law(root.table_or_empty("porous"));
     read_bench(root.table_or_empty("bench"), pressure.bench);
     root.finish();
+    root.require_ranges(pressure_key_ranges());
     require_braid(file, pressure.bench);
     return pressure;
 }

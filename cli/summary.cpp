@@ -1,6 +1,7 @@
 #include "cli/summary.hpp"
 
 #include "cli/case_hash.hpp"
+#include "cli/case_notes.hpp"
 #include "cli/library_versions.hpp"
 #include "cli/resolved_case.hpp"
 #include "core/file_hash.hpp"
@@ -181,6 +182,9 @@ std::vector<std::string> warnings(const Case& job, const Chain& chain)
         }
     }
     add(chain.vessel.notes);
+    add(unit_slip_notes(job, chain.centerline));
+    add(inversion_notes(chain.deployment, job.vessel.unit));
+    if (chain.second) add(inversion_notes(chain.second->deployment, job.vessel.unit));
     add(range_warnings(job.law, chain.resistance.surface.rhombi, job.fluid));
     if (job.neck && chain.openings.front().nodes.empty()) {
         all.push_back(fmt::format(

@@ -10,8 +10,10 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
 
 namespace braidzone {
@@ -116,10 +118,12 @@ std::string_view kind_of(const toml::node& node)
     }
 }
 
-/// The value as it stands in the file, for messages; arrays and tables are not spelled out.
-std::string shown(const toml::node& node)
+/// Of a point from the origin of a scanner's frame [m], in which a patient lies.
+constexpr double largest_coordinate = 10.0;
+
+/// "= 0.4", as it stands in the file.
+std::string value_text(const toml::node& node)
 {
-    if (node.is_array() || node.is_table()) return fmt::format("is {}", kind_of(node));
     std::ostringstream text;
     if (node.is_string()) {
         text << '"' << **node.as_string() << '"';
@@ -129,7 +133,14 @@ std::string shown(const toml::node& node)
     } else {
         node.visit([&](const auto& value) { text << value; });
     }
-    return fmt::format("= {} is {}", text.str(), kind_of(node));
+    return "= " + text.str();
+}
+
+/// The value and what it is, for messages; arrays and tables are not spelled out.
+std::string shown(const toml::node& node)
+{
+    if (node.is_array() || node.is_table()) return fmt::format("is {}", kind_of(node));
+    return fmt::format("{} is {}", value_text(node), kind_of(node));
 }
 
 }  // namespace
@@ -140,6 +151,8 @@ struct TomlTable::State {
     std::string name;                    ///< dotted, "" for the document
     unsigned line = 0;                   ///< 0 if it has none
     std::set<std::string> asked;
+    /// Dimensions of the numeric values that were read; none for plain numbers.
+    std::map<std::string, std::optional<Dimension>> numeric;
     std::map<std::string, std::vector<std::shared_ptr<State>>> opened;
 
     std::string full_name(const std::string& key) const
@@ -185,8 +198,9 @@ struct TomlTable::State {
         return **node.as<Value>();
     }
 
-    double parse(const std::string& key, const toml::node& node, Dimension dimension) const
+    double parse(const std::string& key, const toml::node& node, Dimension dimension)
     {
+        numeric[key] = dimension;
         if (!node.is_string()) {
             throw wrong_type(key, node,
                              fmt::format("a string with a number and a unit of {}: {}",
@@ -196,6 +210,54 @@ struct TomlTable::State {
             return parse_quantity(**node.as_string(), dimension);
         } catch (const ConfigError& error) {
             throw ConfigError(fmt::format("{} = {}", place(key), error.what()));
+        }
+    }
+
+    /// A plain number, or none if it is no number or none that a double holds.
+    double parse_number(const std::string& key, const toml::node& node, std::string_view expected)
+    {
+        numeric[key] = std::nullopt;
+        if (!node.is_number()) throw wrong_type(key, node, expected);
+        const std::optional<double> value = node.value<double>();
+        if (!value) {
+            throw wrong_type(key, node, "one of at most 2^53 = 9007199254740992, to be exact");
+        }
+        return *value;
+    }
+
+    void require_range(const std::string& key, const toml::node& node, const KeyRange& range) const
+    {
+        if (const toml::array* array = node.as_array()) {
+            for (const toml::node& element : *array)
+                require_range(key, element, range);
+            return;
+        }
+        const std::optional<Dimension> dimension = numeric.at(key);
+        const auto si = [&](const std::string& text) {
+            return dimension ? parse_quantity(text, *dimension) : std::stod(text);
+        };
+        const double value =
+            dimension ? parse_quantity(**node.as_string(), *dimension) : *node.value<double>();
+        if (value >= si(range.lowest) && value <= si(range.highest)) return;
+        throw ConfigError(fmt::format("{} {} is out of range; allowed are {} to {}", place(key),
+                                      value_text(node), range.lowest, range.highest));
+    }
+
+    void require_ranges(const KeyRanges& ranges) const
+    {
+        for (const auto& [key, dimension] : numeric) {
+            const toml::node* node = table ? table->get(key) : nullptr;
+            if (!node) continue;
+            const auto range =
+                std::find_if(ranges.begin(), ranges.end(),
+                             [&](const KeyRange& each) { return each.key == full_name(key); });
+            if (range == ranges.end())
+                throw std::logic_error("no range is declared for " + full_name(key));
+            require_range(key, *node, *range);
+        }
+        for (const auto& [key, states] : opened) {
+            for (const auto& state : states)
+                state->require_ranges(ranges);
         }
     }
 
@@ -263,14 +325,14 @@ std::string TomlTable::text(const std::string& key) const
 double TomlTable::number(const std::string& key) const
 {
     const toml::node& node = state_->require(key, "a number");
-    if (!node.is_number()) throw state_->wrong_type(key, node, "a number");
-    const double value = *node.value<double>();
+    const double value = state_->parse_number(key, node, "a number");
     if (!std::isfinite(value)) throw state_->wrong_type(key, node, "a finite one");
     return value;
 }
 
 long TomlTable::integer(const std::string& key) const
 {
+    state_->numeric[key] = std::nullopt;
     return state_->value<std::int64_t>(key, "an integer");
 }
 
@@ -297,6 +359,12 @@ Vec3 TomlTable::point(const std::string& key) const
         point[axis] = state_->parse(key, *coordinates->get(static_cast<std::size_t>(axis)),
                                     Dimension::length);
     }
+    state_->numeric.erase(key);  // its range is that of every point
+    if (!(point.cwiseAbs().maxCoeff() <= largest_coordinate)) {
+        throw ConfigError(fmt::format("{} has a coordinate of {:.6g} m; allowed are -{} to {} m",
+                                      where(key), point.cwiseAbs().maxCoeff(), largest_coordinate,
+                                      largest_coordinate));
+    }
     return point;
 }
 
@@ -320,9 +388,8 @@ std::vector<double> TomlTable::numbers(const std::string& key) const
     if (!node.is_array()) throw state_->wrong_type(key, node, expected);
     std::vector<double> values;
     for (const toml::node& element : *node.as_array()) {
-        const double value = element.value<double>().value_or(NAN);
-        if (!std::isfinite(value)) throw state_->wrong_type(key, element, expected);
-        values.push_back(value);
+        values.push_back(state_->parse_number(key, element, expected));
+        if (!std::isfinite(values.back())) throw state_->wrong_type(key, element, expected);
     }
     return values;
 }
@@ -431,6 +498,11 @@ std::vector<std::string> TomlTable::keys() const
 void TomlTable::finish() const
 {
     state_->finish();
+}
+
+void TomlTable::require_ranges(const KeyRanges& ranges) const
+{
+    state_->require_ranges(ranges);
 }
 
 std::string TomlTable::where(const std::string& key) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/key_range.hpp"
 #include "core/quantity.hpp"
 #include "core/vector.hpp"
 
@@ -30,11 +31,12 @@ public:
 
     // Required values: ConfigError if the key is missing or of another type.
     std::string text(const std::string& key) const;
-    double number(const std::string& key) const;  ///< dimensionless; integer or float
+    /// Dimensionless; a float, or an integer that a double holds exactly (up to 2^53).
+    double number(const std::string& key) const;
     long integer(const std::string& key) const;
     bool boolean(const std::string& key) const;
     double quantity(const std::string& key, Dimension dimension) const;  ///< SI
-    Vec3 point(const std::string& key) const;  ///< ["x mm", "y mm", "z mm"], [m]
+    Vec3 point(const std::string& key) const;  ///< ["x mm", "y mm", "z mm"], [m]; 10 m at most
     std::vector<double> quantities(const std::string& key, Dimension dimension) const;
     std::vector<double> numbers(const std::string& key) const;
     std::vector<std::string> texts(const std::string& key) const;
@@ -63,6 +65,13 @@ public:
     /// Refuses every key, here and in the sub-tables that were opened, that was never asked for.
     /// @throws ConfigError "unknown key ..., did you mean ...?"
     void finish() const;
+
+    /// Refuses numeric values that were read, here and in the sub-tables that were opened, if they
+    /// lie outside the range of their key: "case.toml:14: device.diameter = "4 m" is out of range;
+    /// allowed are 0.5 mm to 60 mm".
+    /// @param ranges  one for each numeric key of the file; every number of an array is held to it
+    /// @throws ConfigError; std::logic_error for a numeric key without a range
+    void require_ranges(const KeyRanges& ranges) const;
 
     /// "case.toml:14: device.diameter", for messages about the value of a key.
     std::string where(const std::string& key) const;

@@ -441,8 +441,11 @@ Vessel make_vessel(const TriangleMesh& surface, const LengthUnit& unit,
 
 Vessel with_wall(const Vessel& vessel, TriangleMesh wall)
 {
+    // Nothing is mended: even normals that point inwards mean that the wall has passed itself.
+    if (const SurfaceDefects defects = find_defects(wall); !is_sound(defects))
+        throw GeometryError("the moved surface is defective:\n" + describe(defects));
     Vessel moved = vessel;
-    moved.wall = repair(wall, {}).first;
+    moved.wall = std::move(wall);
     moved.openings = measured_openings(moved.wall);
     for (Opening& opening : moved.openings) {
         for (const Opening& before : vessel.openings) {

@@ -28,6 +28,8 @@ struct DeviceParameter {
     std::optional<Dimension> dimension;  ///< none: a plain number
     ParameterUse use = ParameterUse::geometry;
     void (*set)(FlowDiverter& device, double si);  ///< puts the value into a device
+    std::string_view lowest = {};                  ///< of its range, see `KeyRange`
+    std::string_view highest = {};
 };
 
 /// The values of a device besides its size, in the order of display; a `set` may count on those

@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace braidzone {
 namespace {
@@ -138,7 +139,13 @@ void set_from_case(FlowDiverter& device, const DeviceParameter& parameter, const
     if (parameter.dimension) {
         parameter.set(device, section.quantity(key, *parameter.dimension));
     } else if (parameter.key == "num_wires") {
-        parameter.set(device, static_cast<double>(section.integer(key)));
+        const long count = section.integer(key);
+        if (!std::in_range<int>(count)) {
+            throw ConfigError(fmt::format("{} = {} is out of range; allowed are {} to {}",
+                                          section.where(key), count, parameter.lowest,
+                                          parameter.highest));
+        }
+        parameter.set(device, static_cast<double>(count));
     } else {
         parameter.set(device, section.number(key));
     }

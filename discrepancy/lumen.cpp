@@ -2,6 +2,7 @@
 
 #include "core/wall_offset.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace braidzone {
@@ -10,7 +11,10 @@ Lumen with_moved_wall(const Lumen& lumen, double offset)
 {
     Vessel vessel = with_wall(lumen.vessel, with_wall_offset(lumen.vessel.wall, offset));
     WallTree wall(vessel);
-    return {std::move(vessel), std::move(wall), lumen.centerline};
+    Centerline centerline = lumen.centerline;
+    for (CrossSection& section : centerline.sections)
+        section.inscribed_radius = std::max(0.0, section.inscribed_radius + offset);
+    return {std::move(vessel), std::move(wall), std::move(centerline)};
 }
 
 Lumen straightened_lumen(const Lumen& lumen, const VesselStraightening& straightening)

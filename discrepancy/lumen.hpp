@@ -14,7 +14,8 @@ struct Lumen {
     Centerline centerline;
 };
 
-/// The same with its wall moved outwards by `offset` [m] (`with_wall_offset` in core).
+/// The same with its wall moved outwards by `offset` [m] (`with_wall_offset` in core), and
+/// with it the inscribed radii along the centerline.
 /// @throws GeometryError if the moved wall is no vessel
 Lumen with_moved_wall(const Lumen& lumen, double offset);
 

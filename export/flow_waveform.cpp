@@ -18,6 +18,9 @@ namespace braidzone {
 namespace {
 
 constexpr std::size_t fewest_points = 3;
+/// Slower than any heart or bench [s], and twice the aorta's peak flow [m^3/s].
+constexpr double longest_period = 1e3;
+constexpr double largest_flow_rate = 1e-3;
 constexpr double closing_tolerance = 1e-6;  // of the largest flow rate
 
 /// SI value of the unit that a column's name ends with; none if it is no such column.
@@ -82,6 +85,13 @@ FlowWaveform read_flow_waveform(const std::filesystem::path& path)
         if (!waveform.times.empty() && !(seconds > waveform.times.back())) {
             throw file.refusal(fmt::format("time {} follows {}; times must increase", *time,
                                            waveform.times.back() / units->time));
+        }
+        if (!(seconds <= longest_period) ||
+            !(std::abs(units->flow_rate * *flow_rate) <= largest_flow_rate)) {
+            throw file.refusal(
+                fmt::format("time {} with flow rate {} is no point of a heartbeat; allowed are up "
+                            "to {} s and {} m^3/s",
+                            *time, *flow_rate, longest_period, largest_flow_rate));
         }
         waveform.times.push_back(seconds);
         waveform.flow_rates.push_back(units->flow_rate * *flow_rate);

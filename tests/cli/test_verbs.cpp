@@ -274,7 +274,7 @@ TEST_F(Verbs, CheckRefusesALatticeThatIsTooLarge)
     std::ofstream(folder_.path() / "case.toml", std::ios::app)
         << "\n[[export]]\nformat = \"lattice\"\n";
     const test::Program program(
-        {"check", (folder_.path() / "case.toml").string(), "--set", "grid.spacing=2 um"},
+        {"check", (folder_.path() / "case.toml").string(), "--set", "grid.spacing=5 um"},
         folder_.path());
     EXPECT_EQ(program.wait(), 2);
     EXPECT_NE(program.err().find("at most 5e+08 nodes are allowed, as with a spacing of"),

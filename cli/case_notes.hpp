@@ -1,0 +1,29 @@
+#pragma once
+
+#include "cli/case_file.hpp"
+#include "core/centerline.hpp"
+#include "deploy/deployment.hpp"
+
+#include <string>
+#include <vector>
+
+namespace braidzone {
+
+/// What is allowed, and more often a slip than meant:
+///
+/// - viscosity above 0.1 Pa s (blood has 3.5e-3; 3.5 Pa s is mPa s forgotten), density below
+///   500 kg/m^3 (1.056 is g/cm^3 forgotten)
+/// - inflow faster than 5 m/s: faster than in any artery
+/// - voxels coarser than a tenth of the vessel's mean diameter
+/// - a tangential ratio below 1: wires resist along the sheet at least as much as across it
+///
+/// @param centerline  with the vessel's inscribed radii
+/// @return sentences for a person, with key and value
+std::vector<std::string> unit_slip_notes(const Case& job, const Centerline& centerline);
+
+/// How many of the braid's rhombi are turned over, and where the first of them lies on the vessel;
+/// none for a sound braid.
+/// @param unit  of the place
+std::vector<std::string> inversion_notes(const Deployment& deployment, const LengthUnit& unit);
+
+}  // namespace braidzone
