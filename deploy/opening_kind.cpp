@@ -291,6 +291,7 @@ std::vector<WallOpening> parts_of(const std::vector<WallOpening>& openings,
     int unknown = std::numeric_limits<int>::min();
     for (const WallOpening& opening : openings) {
         for (const auto& [region, nodes] : by_region(opening, deployment, surroundings)) {
+            if (region == nothing_outside) continue;
             const WallOpening part = opening_of(deployment, areas, nodes);
             OpeningKind kind = OpeningKind::sac;
             if (!surroundings.branches_of(region).empty()) {

@@ -46,6 +46,9 @@ struct VesselAround {
 ///   it, or its rays leave through the vessel's own inlet or outlet
 /// - sac: else
 ///
+/// An opening whose nodes all see the parent vessel's own wall, as where the hubs are drawn into a
+/// wide neck and away from the wall opposite to it, is none.
+///
 /// An opening that looks into two regions (three nodes or more each) becomes two; openings of one
 /// kind on the same region become one, so that a neck which wires cross counts once.
 ///

@@ -48,23 +48,30 @@ PhantomBranch branch_at(double place, double radius, double length)
     return branch;
 }
 
-/// What lies behind a device that is laid in the vessel by hand, circles of one radius.
-std::vector<WallOpening> kinds(const TriangleMesh& wall, const Centerline& line, double distal,
-                               double length, double radius = tube_radius)
+/// A device that is laid along a line by hand, in circles of the tube's radius.
+Deployment lying(const Centerline& line, double distal, double length)
 {
     FlowDiverter device = test::pipeline_4x20();
     device.nominal_length = length;
-    const Vessel vessel = make_vessel(wall, LengthUnit{"mm", 1e-3});
-    const WallTree tree(vessel);
     Deployment deployment;
     deployment.lattice = make_lattice(device);
     for (int ring = 0; ring < deployment.lattice.num_rings; ++ring) {
         deployment.ring_arc_length.push_back(distal - ring * deployment.lattice.ring_spacing);
         deployment.rings.push_back(section_at(line, deployment.ring_arc_length.back()));
     }
-    const CrimpedBraid braid = crimp(deployment.lattice, deployment.rings, radius);
+    const CrimpedBraid braid = crimp(deployment.lattice, deployment.rings, tube_radius);
     for (int node = 0; node < deployment.lattice.num_nodes(); ++node)
-        deployment.nodes.push_back(on_ray(braid, node, radius));
+        deployment.nodes.push_back(on_ray(braid, node, tube_radius));
+    return deployment;
+}
+
+/// What lies behind such a device.
+std::vector<WallOpening> kinds(const TriangleMesh& wall, const Centerline& line, double distal,
+                               double length)
+{
+    const Vessel vessel = make_vessel(wall, LengthUnit{"mm", 1e-3});
+    const WallTree tree(vessel);
+    const Deployment deployment = lying(line, distal, length);
     return told_apart(find_openings(deployment, tree), deployment, {vessel, tree, line});
 }
 
@@ -186,24 +193,30 @@ TEST(ToldApart, CallsAWideningAllRoundBetweenTwoLandingZonesASac)
     EXPECT_NEAR(openings[0].area, 2.0 * pi * tube_radius * length, 2.0 * pi * tube_radius * 1.2e-3);
 }
 
+// Nodes 2 to 6 of a few rings, where a plain tube's wall is behind them.
+TEST(ToldApart, DropsAnOpeningBehindWhichThereIsTheParentsWall)
+{
+    const Vessel vessel = test::tube_vessel(tube_radius, vessel_length);
+    const WallTree wall(vessel);
+    const Centerline line = test::tube_centerline(tube_radius, vessel_length);
+    const Deployment deployment = lying(line, 25e-3, 20e-3);
+    WallOpening opening;
+    for (int ring = 10; ring < 13; ++ring) {
+        for (int column = 2; column < 7; ++column)
+            opening.nodes.push_back(deployment.lattice.node(ring, column));
+    }
+    EXPECT_TRUE(told_apart({opening}, deployment, {vessel, wall, line}).empty());
+}
+
 TEST(ToldApart, KeepsAGivenNeckFirst)
 {
     WallOpening given;
     given.distal_ring = 3;
     given.proximal_ring = 8;
-    FlowDiverter device = test::pipeline_4x20();
     const Vessel vessel = test::tube_vessel(tube_radius, vessel_length);
     const WallTree wall(vessel);
     const Centerline line = test::tube_centerline(tube_radius, vessel_length);
-    Deployment deployment;
-    deployment.lattice = make_lattice(device);
-    for (int ring = 0; ring < deployment.lattice.num_rings; ++ring) {
-        deployment.ring_arc_length.push_back(25e-3 - ring * deployment.lattice.ring_spacing);
-        deployment.rings.push_back(section_at(line, deployment.ring_arc_length.back()));
-    }
-    const CrimpedBraid braid = crimp(deployment.lattice, deployment.rings, tube_radius);
-    for (int node = 0; node < deployment.lattice.num_nodes(); ++node)
-        deployment.nodes.push_back(on_ray(braid, node, tube_radius));
+    const Deployment deployment = lying(line, 25e-3, 20e-3);
     const std::vector<WallOpening> openings =
         told_apart({given}, deployment, {vessel, wall, line}, true);
     ASSERT_EQ(openings.size(), 1U);
