@@ -3,6 +3,7 @@
 #include "cli/commands.hpp"
 #include "core/rounded_ends.hpp"
 #include "core/triangle_mesh.hpp"
+#include "deploy/opening_kind.hpp"
 #include "export/foam_boundary_conditions.hpp"
 #include "export/foam_fluid.hpp"
 #include "export/lattice_cost.hpp"
@@ -125,15 +126,17 @@ void print_openings(const Deployment& deployment, const std::vector<WallOpening>
         fmt::print("neck        none: the vessel does not open behind the device\n");
         return;
     }
-    const char* label = "neck";
     for (const WallOpening& opening : openings) {
         const auto place = [&](int ring) {
             return 1e3 * deployment.ring_arc_length[static_cast<std::size_t>(ring)];
         };
-        fmt::print("{:<11} {:.4g} to {:.4g} mm along the centerline, {:.4g} mm2 of the device\n",
-                   label, place(opening.proximal_ring), place(opening.distal_ring),
-                   1e6 * opening.area);
-        label = "opening";
+        fmt::print(
+            "{:<11} {:.4g} to {:.4g} mm along the centerline, {:.4g} mm2 of the device{}\n",
+            &opening == neck_of(openings) ? "neck" : name_of(opening.kind),
+            place(opening.proximal_ring), place(opening.distal_ring), 1e6 * opening.area,
+            opening.vessel_openings.empty()
+                ? ""
+                : fmt::format("; leads to opening {}", fmt::join(opening.vessel_openings, ", ")));
     }
 }
 

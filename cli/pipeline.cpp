@@ -3,6 +3,7 @@
 #include "cli/case_geometry.hpp"
 #include "core/error.hpp"
 #include "deploy/device_lining.hpp"
+#include "deploy/opening_kind.hpp"
 #include "discrepancy/lumen.hpp"
 #include "porous/braid_surface.hpp"
 
@@ -84,14 +85,18 @@ Chain run_chain(const Case& job, Stage last, Progress& progress)
     Deployment deployment = deploy_to_rest(job.device, landing(job.landing_distal), job.schedule,
                                            job.deployment, centerline, wall);
     const NeckOptions neck{.given = job.neck};
-    std::vector<WallOpening> openings = find_openings(deployment, wall, neck);
+    const auto openings_behind = [&](const Deployment& lying) {
+        return told_apart(find_openings(lying, wall, neck), lying, {vessel, wall, centerline},
+                          neck.given.has_value());
+    };
+    std::vector<WallOpening> openings = openings_behind(deployment);
     std::optional<SecondDeployment> second;
     if (job.second_device) {
         second.emplace();
         second->deployment =
             deploy_second(job, *job.second_device, landing(job.second_device->landing_distal),
                           deployment, vessel, centerline);
-        second->openings = find_openings(second->deployment, wall, neck);
+        second->openings = openings_behind(second->deployment);
     }
     progress.begin("porous", "computing the flow resistance");
     ResistanceSheet sheet = resistance_of(job, deployment, job.device);

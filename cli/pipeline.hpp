@@ -31,7 +31,7 @@ struct Chain {
     WallTree wall;
     Centerline centerline;
     Deployment deployment;
-    std::vector<WallOpening> openings;  ///< behind the device, the neck first
+    std::vector<WallOpening> openings;  ///< as `told_apart` sorts them, the neck first
     ResistanceSheet sheet;              ///< of the device
     std::optional<SecondDeployment> second;
     ResistanceSheet resistance;        ///< of all devices

@@ -6,6 +6,7 @@
 #include "cli/resolved_case.hpp"
 #include "core/file_hash.hpp"
 #include "deploy/deployment_measures.hpp"
+#include "deploy/opening_kind.hpp"
 #include "deploy/wire_stretch.hpp"
 #include "porous/braid_surface.hpp"
 
@@ -127,18 +128,68 @@ Json lattice_of(const Deployment& deployment)
             {"force_tolerance", quantity(deployment.force_tolerance, "N")}};
 }
 
+/// Thickness of the layer that an opening's permeability is stated for [m]: two wires crossing.
+double layer_thickness(const FlowDiverter& device)
+{
+    return 2.0 * device.wire_diameter;
+}
+
+/// A device's resistance over an opening as that of a uniform layer, dp = (mu / k U + 1/2 rho C2
+/// U^2) t: k = mu t / a and C2 = 2 b / (rho t), with a and b of its law, averaged by area.
+Json layer_over(const DeployedDevice& deployed, const std::vector<NeckPart>& parts)
+{
+    std::optional<double> permeability, inertia;
+    double area = 0.0, linear = 0.0, quadratic = 0.0;
+    const ResistanceSheet& sheet = deployed.sheet;
+    for (std::size_t rhombus = 0; rhombus < sheet.losses.size(); ++rhombus) {
+        if (parts[rhombus] != NeckPart::over) continue;
+        area += sheet.surface.rhombi[rhombus].area;
+        linear += sheet.surface.rhombi[rhombus].area * sheet.losses[rhombus].linear;
+        quadratic += sheet.surface.rhombi[rhombus].area * sheet.losses[rhombus].quadratic;
+    }
+    const double thickness = layer_thickness(deployed.device);
+    if (linear > 0.0) permeability = sheet.fluid.viscosity * thickness * area / linear;
+    if (area > 0.0) inertia = 2.0 * quadratic / area / (sheet.fluid.density * thickness);
+    return {{"layer_thickness", quantity(thickness, "m")},
+            {"permeability", quantity(permeability, "m^2")},
+            {"inertial_resistance", quantity(inertia, "1/m")}};
+}
+
+Json opening_of(const DeployedDevice& deployed, WallOpening opening)
+{
+    const Deployment& deployment = deployed.deployment;
+    const auto place = [&](int ring) {
+        return deployment.ring_arc_length[static_cast<std::size_t>(ring)];
+    };
+    const Vec3 middle = middle_of(opening, deployment);
+    const OpeningEnds ends = ends_of(opening, deployment.lattice);
+    Json device_ends = Json::array();
+    if (ends.distal) device_ends.push_back("distal");
+    if (ends.proximal) device_ends.push_back("proximal");
+    Json json = {{"kind", name_of(opening.kind)},
+                 {"from", quantity(place(opening.proximal_ring), "m")},
+                 {"to", quantity(place(opening.distal_ring), "m")},
+                 {"point", {{"value", {middle.x(), middle.y(), middle.z()}}, {"unit", "m"}}},
+                 {"area", quantity(opening.area, "m^2")},
+                 {"num_nodes", opening.nodes.size()},
+                 {"vessel_openings", opening.vessel_openings},
+                 {"device_ends", device_ends}};
+    // The figures of a neck, of whatever lies behind.
+    opening.kind = OpeningKind::sac;
+    const std::vector<NeckPart> parts = neck_parts(deployment, {opening});
+    const BraidMeasures braid = measure(deployed.sheet.surface, parts);
+    json["metal_coverage"] = quantity(braid.mean_metal_coverage_neck, "1");
+    json["pore_density"] = quantity(braid.mean_pore_density_neck, "1/m^2");
+    json.update(layer_over(deployed, parts));
+    return json;
+}
+
 /// The parts of the device behind which the vessel opens, the neck first.
 Json openings_of(const DeployedDevice& deployed)
 {
-    const std::vector<double>& places = deployed.deployment.ring_arc_length;
     Json openings = Json::array();
-    for (const WallOpening& opening : deployed.openings) {
-        const auto place = [&](int ring) { return places[static_cast<std::size_t>(ring)]; };
-        openings.push_back({{"from", quantity(place(opening.proximal_ring), "m")},
-                            {"to", quantity(place(opening.distal_ring), "m")},
-                            {"area", quantity(opening.area, "m^2")},
-                            {"num_nodes", opening.nodes.size()}});
-    }
+    for (const WallOpening& opening : deployed.openings)
+        openings.push_back(opening_of(deployed, opening));
     return openings;
 }
 

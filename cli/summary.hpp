@@ -17,7 +17,8 @@ constexpr const char* program_name = "braidzone";
 ///
 /// `quantities` maps each name to {value, unit}, or to null where it does not apply. They are the
 /// first device's, but for the resistance integrals, which are of all devices; `second_device` has
-/// the same of the second one. "Neck" is the first of `openings` (`find_openings`).
+/// the same of the second one. "Neck" is the first of `openings` if a sac lies behind it
+/// (`told_apart`), or as it was given.
 /// @param files         what the run wrote, relative to its folder
 /// @param export_notes  what `write_results` says
 nlohmann::ordered_json summarise(const Case& job, const Chain& chain, const Progress& progress,

@@ -115,6 +115,14 @@ std::optional<GapMeasures> measure_gaps(const Deployment& deployment,
     return gaps;
 }
 
+/// The openings through which flow leaves the parent vessel.
+std::vector<WallOpening> without_ends(std::vector<WallOpening> openings)
+{
+    std::erase_if(openings,
+                  [](const WallOpening& opening) { return opening.kind == OpeningKind::end; });
+    return openings;
+}
+
 /// Nodes beyond the wall where it stands: a compliant one gives way under them.
 int count_outside(const Deployment& deployment, const WallTree& wall)
 {
@@ -197,7 +205,7 @@ DeploymentMeasures measure(const Deployment& deployment, const FlowDiverter& dev
     measures.mean_radial_expansion = std::accumulate(expansion.begin(), expansion.end(), 0.0) /
                                      static_cast<double>(expansion.size());
 
-    const std::vector<char> over_opening = nodes_of(openings, lattice.num_nodes());
+    const std::vector<char> over_opening = nodes_of(without_ends(openings), lattice.num_nodes());
     std::vector<int> malapposed;
     double contact_force = 0.0, contact_area = 0.0, reference_area = 0.0;
     for (int node = 0; node < lattice.num_nodes(); ++node) {
@@ -223,8 +231,8 @@ DeploymentMeasures measure(const Deployment& deployment, const FlowDiverter& dev
     measures.radial_force_per_length = contact_force / measures.implanted_length;
     measures.malapposition_gap = measure_gaps(deployment, areas, malapposed);
 
-    if (!openings.empty()) {
-        const WallOpening& neck = openings.front();
+    if (const WallOpening* found = neck_of(openings)) {
+        const WallOpening& neck = *found;
         if (!neck.nodes.empty()) {
             measures.mean_radial_expansion_neck = mean_over(expansion, neck.nodes);
         }

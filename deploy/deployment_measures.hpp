@@ -23,10 +23,10 @@ struct GapMeasures {
 
 /// Figures of a deployment (Zavodszky et al. 2020, Table 3, and more).
 ///
-/// "Neck" is the first of the openings (`find_openings`): its nodes, or as a zone all rings that
-/// have some of them, also on the side where the wall is. The landing zones are the rings distal
-/// and proximal of it. Figures of the neck and of the zones are absent without a neck, that of a
-/// landing zone also if the neck reaches to that end of the device.
+/// "Neck" is the first of the openings if it is a sac's (`neck_of`): its nodes, or as a zone all
+/// rings that have some of them, also on the side where the wall is. The landing zones are the
+/// rings distal and proximal of it. Figures of the neck and of the zones are absent without a neck,
+/// that of a landing zone also if the neck reaches to that end of the device.
 struct DeploymentMeasures {
     double implanted_length = 0.0;       ///< between the end rings, along the centerline [m]
     double resting_length = 0.0;         ///< force-free at nominal diameter [m]
@@ -43,7 +43,7 @@ struct DeploymentMeasures {
     double radial_force_per_length = 0.0;  ///< all contact force over the implanted length [N/m]
     double contact_area_fraction = 0.0;    ///< area in contact over the device's area [-]
     std::optional<ZoneMeasures> distal_landing, neck, proximal_landing;
-    /// Area free of the wall by more than `wall_gap` where the vessel has no opening [m^2].
+    /// Area free of the wall by more than `wall_gap` where no sac or branch opens [m^2].
     double malapposed_area = 0.0;
     std::optional<GapMeasures> malapposition_gap;  ///< absent if nothing is malapposed
     std::optional<double> neck_area;               ///< of the device over the neck [m^2]

@@ -14,6 +14,13 @@ struct ArcRange {
     double to = 0.0;    ///< [m]; > from
 };
 
+/// What lies behind a part of the device that is free of the parent vessel's wall.
+enum class OpeningKind {
+    sac,     ///< a space without another way out: an aneurysm's neck, a fusiform widening
+    branch,  ///< another opening of the vessel is reached: a branch's ostium
+    end,     ///< the vessel itself: an end of the device that does not lie on the wall
+};
+
 /// A part of the device behind which the vessel opens: an aneurysm's neck, or the ostium of a
 /// branch. Flow passes through the braid there.
 struct WallOpening {
@@ -21,6 +28,9 @@ struct WallOpening {
     int distal_ring = 0;     ///< first ring with such a node, or of the given stretch
     int proximal_ring = 0;   ///< the last one
     double area = 0.0;       ///< of the deployed device over the opening [m^2]
+    /// As `told_apart` finds it (`opening_kind.hpp`).
+    OpeningKind kind = OpeningKind::sac;
+    std::vector<int> vessel_openings = {};  ///< reached through a branch, largest first
 };
 
 struct NeckOptions {
@@ -63,6 +73,10 @@ struct NeckOptions {
 /// @throws GeometryError if the device does not reach into the given stretch
 std::vector<WallOpening> find_openings(const Deployment& deployment, const WallTree& wall,
                                        const NeckOptions& options = {});
+
+/// The neck: the first of the openings if a sac lies behind it; none otherwise. Openings that are
+/// not told apart count as sacs.
+const WallOpening* neck_of(const std::vector<WallOpening>& openings);
 
 /// For each node of a lattice, 1 if it belongs to one of the openings.
 std::vector<char> nodes_of(const std::vector<WallOpening>& openings, int num_nodes);

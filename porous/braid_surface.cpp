@@ -158,8 +158,9 @@ std::vector<NeckPart> neck_parts(const Deployment& deployment,
 {
     const BraidLattice& lattice = deployment.lattice;
     std::vector<NeckPart> parts(static_cast<std::size_t>(lattice.num_rhombi()), NeckPart::none);
-    if (openings.empty()) return parts;
-    const WallOpening& neck = openings.front();
+    const WallOpening* found = neck_of(openings);
+    if (found == nullptr) return parts;
+    const WallOpening& neck = *found;
     const std::vector<char> of_neck = nodes_of({neck}, lattice.num_nodes());
     for (int ring = 0; ring + 2 < lattice.num_rings; ++ring) {
         for (int column = 0; column < lattice.nodes_per_ring; ++column) {

@@ -64,7 +64,8 @@ enum class NeckPart : char {
 
 /// The part of each rhombus of a deployed braid: over the neck if three of its corners or more are
 /// nodes of the neck, opposite if its middle ring is one of the neck's.
-/// @param openings  of the vessel behind the device; the first one is the neck
+/// @param openings  of the vessel behind the device; the first one is the neck, if a sac lies
+/// behind
 std::vector<NeckPart> neck_parts(const Deployment& deployment,
                                  const std::vector<WallOpening>& openings);
 

@@ -1,0 +1,465 @@
+#include "deploy/opening_kind.hpp"
+
+#include "core/mesh_topology.hpp"
+#include "deploy/deployment_measures.hpp"
+#include "deploy/node_patches.hpp"
+#include "deploy/wall_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace braidzone {
+
+namespace {
+
+/// As in `find_openings`.
+constexpr double reach_ratio = 4.0;
+constexpr double outside_ratio = NeckOptions{}.outside_ratio;
+
+/// What a node looks into; regions of the wall count from 0.
+constexpr int nothing_outside = -1;  ///< the parent vessel's wall
+constexpr int through_vessel = -2;   ///< the vessel's own inlet or outlet
+
+std::size_t index(int i)
+{
+    return static_cast<std::size_t>(i);
+}
+
+/// The parent vessel's tube all along the centerline.
+struct ParentTube {
+    std::vector<CrossSection> sections;
+    std::vector<WallProfile> radii;
+    double spacing = 0.0;  ///< between sections [m]
+};
+
+ParentTube parent_tube_along(const VesselAround& around, double reach)
+{
+    const Centerline& line = around.centerline;
+    double sum = 0.0;
+    for (const CrossSection& section : line.sections)
+        sum += section.inscribed_radius;
+    const double mean_radius = sum / static_cast<double>(line.sections.size());
+    // Four sections a radius follow a bend as tight as the vessel is wide within 15 degrees.
+    const auto stride =
+        static_cast<std::size_t>(std::max(1.0, std::round(0.25 * mean_radius / line.spacing)));
+    ParentTube tube;
+    tube.spacing = static_cast<double>(stride) * line.spacing;
+    std::vector<double> places;
+    for (std::size_t i = 0; i < line.sections.size(); i += stride) {
+        tube.sections.push_back(line.sections[i]);
+        places.push_back(static_cast<double>(i) * line.spacing);
+        tube.radii.push_back(wall_profile(around.wall, line.sections[i], reach));
+    }
+    tube.radii = parent_profiles(places, tube.radii,
+                                 open_sections(places, tube.radii, NeckOptions{}.opening_ratio));
+    return tube;
+}
+
+bool is_outside(const ParentTube& tube, const Vec3& point)
+{
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < tube.sections.size(); ++i) {
+        const double distance = (tube.sections[i].origin - point).squaredNorm();
+        if (distance < least) {
+            least = distance;
+            nearest = i;
+        }
+    }
+    const CrossSection& section = tube.sections[nearest];
+    return std::sqrt(least) >
+           outside_ratio * at_angle(tube.radii[nearest], angle_about_hub(section, point));
+}
+
+/// The wall outside the parent vessel's tube, by regions.
+struct WallRegions {
+    std::vector<int> of_triangle;  ///< `nothing_outside` on the parent vessel's wall
+    std::vector<std::vector<int>> vessel_openings;  ///< that each region reaches, increasing
+};
+
+std::vector<std::vector<int>> triangle_neighbours(const TriangleMesh& mesh)
+{
+    std::vector<std::vector<int>> neighbours(mesh.triangles.size());
+    for_each_edge(sorted_sides(mesh), [&](auto first, auto last) {
+        for (auto side = first; side != last; ++side) {
+            for (auto other = first; other != last; ++other) {
+                if (other != side) neighbours[index(side->triangle)].push_back(other->triangle);
+            }
+        }
+    });
+    return neighbours;
+}
+
+/// Numbers the regions of the triangles that are marked.
+int label_regions(std::vector<int>& of_triangle, const std::vector<char>& marked,
+                  const std::vector<std::vector<int>>& neighbours)
+{
+    int num_regions = 0;
+    for (std::size_t seed = 0; seed < marked.size(); ++seed) {
+        if (!marked[seed] || of_triangle[seed] != nothing_outside) continue;
+        std::vector<int> to_visit{static_cast<int>(seed)};
+        of_triangle[seed] = num_regions;
+        while (!to_visit.empty()) {
+            const int triangle = to_visit.back();
+            to_visit.pop_back();
+            for (const int next : neighbours[index(triangle)]) {
+                if (!marked[index(next)] || of_triangle[index(next)] != nothing_outside) continue;
+                of_triangle[index(next)] = num_regions;
+                to_visit.push_back(next);
+            }
+        }
+        ++num_regions;
+    }
+    return num_regions;
+}
+
+WallRegions wall_regions(const Vessel& vessel, const ParentTube& tube)
+{
+    const TriangleMesh& mesh = vessel.wall;
+    std::vector<char> outside;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        outside.push_back(is_outside(
+            tube, (mesh.points[index(a)] + mesh.points[index(b)] + mesh.points[index(c)]) / 3.0));
+    }
+    WallRegions regions;
+    regions.of_triangle.assign(mesh.triangles.size(), nothing_outside);
+    regions.vessel_openings.resize(
+        index(label_regions(regions.of_triangle, outside, triangle_neighbours(mesh))));
+
+    std::vector<int> opening_at(mesh.points.size(), -1);
+    for (std::size_t opening = 0; opening < vessel.openings.size(); ++opening) {
+        for (const int point : vessel.openings[opening].rim)
+            opening_at[index(point)] = static_cast<int>(opening);
+    }
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        const int region = regions.of_triangle[triangle];
+        if (region == nothing_outside) continue;
+        for (const int point : mesh.triangles[triangle]) {
+            const int opening = opening_at[index(point)];
+            std::vector<int>& reached = regions.vessel_openings[index(region)];
+            if (opening < 0 || std::find(reached.begin(), reached.end(), opening) != reached.end())
+                continue;
+            reached.push_back(opening);
+        }
+    }
+    for (std::vector<int>& reached : regions.vessel_openings)
+        std::sort(reached.begin(), reached.end());
+    return regions;
+}
+
+int opening_nearest(const Vessel& vessel, const Vec3& point)
+{
+    const auto nearer = [&](const Opening& first, const Opening& second) {
+        return (first.centre - point).squaredNorm() < (second.centre - point).squaredNorm();
+    };
+    return static_cast<int>(
+        std::min_element(vessel.openings.begin(), vessel.openings.end(), nearer) -
+        vessel.openings.begin());
+}
+
+/// All that says what lies behind a node.
+class Surroundings {
+public:
+    Surroundings(const VesselAround& around, double reach)
+        : vessel_(around.vessel),
+          wall_(around.wall),
+          regions_(wall_regions(around.vessel, parent_tube_along(around, reach))),
+          ends_{opening_nearest(vessel_, around.centerline.sections.front().origin),
+                opening_nearest(vessel_, around.centerline.sections.back().origin)}
+    {
+        const Box box = bounding_box(vessel_.wall);
+        across_ = (box.upper - box.lower).norm();
+    }
+
+    /// The region behind a node of a ring, `nothing_outside` or `through_vessel`.
+    int behind(const CrossSection& ring, const Vec3& node) const
+    {
+        const Vec3 direction = direction_at(ring, angle_about_hub(ring, node));
+        const auto hit = wall_.first_hit(ring.origin, ring.origin + across_ * direction);
+        if (hit) return regions_.of_triangle[index(hit->triangle)];
+        const int opening = opening_on_ray(ring.origin, direction);
+        if (opening < 0) return nothing_outside;
+        if (is_at_end(opening)) return through_vessel;
+        for (std::size_t region = 0; region < regions_.vessel_openings.size(); ++region) {
+            const std::vector<int>& reached = regions_.vessel_openings[region];
+            if (std::find(reached.begin(), reached.end(), opening) != reached.end())
+                return static_cast<int>(region);
+        }
+        return nothing_outside;
+    }
+
+    /// Openings of the vessel that a region reaches, without the parent vessel's own.
+    std::vector<int> branches_of(int region) const
+    {
+        if (region < 0) return {};
+        std::vector<int> reached = regions_.vessel_openings[index(region)];
+        std::erase_if(reached, [&](int opening) { return is_at_end(opening); });
+        return reached;
+    }
+
+private:
+    bool is_at_end(int opening) const
+    {
+        return std::find(ends_.begin(), ends_.end(), opening) != ends_.end();
+    }
+
+    /// The opening through whose plane a ray passes nearest to its centre, by the opening's radius.
+    int opening_on_ray(const Vec3& from, const Vec3& direction) const
+    {
+        int found = -1;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < vessel_.openings.size(); ++i) {
+            const Opening& opening = vessel_.openings[i];
+            const double along = direction.dot(opening.normal);
+            if (!(along > 0.0)) continue;
+            const double way = (opening.centre - from).dot(opening.normal) / along;
+            const double off = (from + way * direction - opening.centre).norm() / opening.radius;
+            if (!(way > 0.0) || !(off < least)) continue;
+            least = off;
+            found = static_cast<int>(i);
+        }
+        return found;
+    }
+
+    const Vessel& vessel_;
+    const WallTree& wall_;
+    WallRegions regions_;
+    std::array<int, 2> ends_;
+    double across_ = 0.0;
+};
+
+/// An opening of the given nodes, in order.
+WallOpening opening_of(const Deployment& deployment, const std::vector<double>& areas,
+                       std::vector<int> nodes)
+{
+    std::sort(nodes.begin(), nodes.end());
+    WallOpening opening;
+    opening.distal_ring = nodes.front() / deployment.lattice.nodes_per_ring;
+    opening.proximal_ring = nodes.back() / deployment.lattice.nodes_per_ring;
+    for (const int node : nodes)
+        opening.area += areas[index(node)];
+    opening.nodes = std::move(nodes);
+    return opening;
+}
+
+/// The nodes of an opening by the region behind them; those of a few nodes count with the most.
+std::map<int, std::vector<int>> by_region(const WallOpening& opening, const Deployment& deployment,
+                                          const Surroundings& surroundings)
+{
+    std::map<int, std::vector<int>> groups;
+    for (const int node : opening.nodes) {
+        const CrossSection& ring =
+            deployment.rings[index(node / deployment.lattice.nodes_per_ring)];
+        groups[surroundings.behind(ring, deployment.nodes[index(node)])].push_back(node);
+    }
+    // Nodes that see the parent's wall at the rim of a mouth belong to it.
+    const auto most =
+        std::max_element(groups.begin(), groups.end(), [](const auto& first, const auto& second) {
+            if ((first.first == nothing_outside) != (second.first == nothing_outside))
+                return first.first == nothing_outside;
+            return first.second.size() < second.second.size();
+        });
+    const int main = most->first;
+    std::vector<int> rest;
+    std::erase_if(groups, [&](const auto& group) {
+        const bool is_own = group.first != nothing_outside &&
+                            static_cast<int>(group.second.size()) >= NeckOptions{}.fewest_nodes;
+        if (group.first == main || is_own) return false;
+        rest.insert(rest.end(), group.second.begin(), group.second.end());
+        return true;
+    });
+    std::vector<int>& largest = groups[main];
+    largest.insert(largest.end(), rest.begin(), rest.end());
+    return groups;
+}
+
+bool takes_an_end(const WallOpening& opening, const BraidLattice& lattice)
+{
+    const OpeningEnds ends = ends_of(opening, lattice);
+    return ends.distal || ends.proximal;
+}
+
+/// The parts of the openings, told apart; one for each kind and region.
+std::vector<WallOpening> parts_of(const std::vector<WallOpening>& openings,
+                                  const Deployment& deployment, const std::vector<double>& areas,
+                                  const Surroundings& surroundings)
+{
+    std::map<std::pair<OpeningKind, int>, std::vector<int>> members;
+    int unknown = std::numeric_limits<int>::min();
+    for (const WallOpening& opening : openings) {
+        for (const auto& [region, nodes] : by_region(opening, deployment, surroundings)) {
+            if (region == nothing_outside) continue;
+            const WallOpening part = opening_of(deployment, areas, nodes);
+            OpeningKind kind = OpeningKind::sac;
+            if (!surroundings.branches_of(region).empty()) {
+                kind = OpeningKind::branch;
+            } else if (region == through_vessel || takes_an_end(part, deployment.lattice)) {
+                kind = OpeningKind::end;
+            }
+            // What is behind no region of its own is not joined with anything.
+            const int key = region >= 0 ? region : unknown++;
+            std::vector<int>& all = members[{kind, key}];
+            all.insert(all.end(), nodes.begin(), nodes.end());
+        }
+    }
+    std::vector<WallOpening> parts;
+    for (const auto& [key, nodes] : members) {
+        parts.push_back(opening_of(deployment, areas, nodes));
+        parts.back().kind = key.first;
+        parts.back().vessel_openings = surroundings.branches_of(key.second);
+    }
+    return parts;
+}
+
+/// For each node, 1 if the wall behind it is further off than `outside_ratio` times the node.
+std::vector<char> free_nodes(const Deployment& deployment, const WallTree& wall, double reach)
+{
+    const BraidLattice& lattice = deployment.lattice;
+    std::vector<char> free(deployment.nodes.size(), 0);
+    for (int node = 0; node < lattice.num_nodes(); ++node) {
+        const CrossSection& ring = deployment.rings[index(node / lattice.nodes_per_ring)];
+        const Vec3& point = deployment.nodes[index(node)];
+        const double distance = (point - ring.origin).norm();
+        const Vec3 direction = (point - ring.origin) / distance;
+        free[index(node)] =
+            distance_to_wall(wall, ring.origin, direction, reach) > outside_ratio * distance;
+    }
+    return free;
+}
+
+/// The largest share of a ring that nodes take of the rings for which `counts` holds.
+template <typename Condition>
+double largest_share(const std::vector<int>& nodes, const std::vector<char>& also,
+                     const BraidLattice& lattice, Condition counts)
+{
+    std::vector<int> in_ring(index(lattice.num_rings), 0);
+    for (const int node : nodes)
+        ++in_ring[index(node / lattice.nodes_per_ring)];
+    int most = 0;
+    for (int ring = 0; ring < lattice.num_rings; ++ring) {
+        if (in_ring[index(ring)] == 0 || !counts(ring)) continue;
+        int total = in_ring[index(ring)];
+        for (int column = 0; column < lattice.nodes_per_ring; ++column)
+            total += also[index(lattice.node(ring, column))];
+        most = std::max(most, total);
+    }
+    return static_cast<double>(most) / lattice.nodes_per_ring;
+}
+
+/// Parts of the device that are free of the wall all round, or at an end.
+std::vector<WallOpening> free_parts(const std::vector<WallOpening>& known,
+                                    const Deployment& deployment, const std::vector<double>& areas,
+                                    const WallTree& wall, double reach)
+{
+    const BraidLattice& lattice = deployment.lattice;
+    const std::vector<char> taken = nodes_of(known, lattice.num_nodes());
+    std::vector<char> free = free_nodes(deployment, wall, reach);
+    for (std::size_t node = 0; node < free.size(); ++node)
+        free[node] = free[node] && !taken[node];
+    const std::vector<int> patch = connected_patches(lattice, free);
+    std::map<int, std::vector<int>> patches;
+    for (int node = 0; node < lattice.num_nodes(); ++node) {
+        if (patch[index(node)] >= 0) patches[patch[index(node)]].push_back(node);
+    }
+    const int last = lattice.num_rings - 1;
+    std::vector<WallOpening> parts;
+    for (const auto& [root, nodes] : patches) {
+        WallOpening part = opening_of(deployment, areas, nodes);
+        const double of_end = largest_share(nodes, std::vector<char>(free.size(), 0), lattice,
+                                            [&](int ring) { return ring == 0 || ring == last; });
+        const double of_ring = largest_share(nodes, taken, lattice, [](int) { return true; });
+        if (of_end >= 0.25) {
+            part.kind = OpeningKind::end;
+        } else if (takes_an_end(part, lattice) || !(of_ring >= 1.0)) {
+            continue;
+        }
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+/// Joins the ends at one end of the device: both are one place where it is off the wall.
+std::vector<WallOpening> with_joined_ends(std::vector<WallOpening> openings,
+                                          const Deployment& deployment,
+                                          const std::vector<double>& areas)
+{
+    std::vector<WallOpening> joined;
+    for (WallOpening& opening : openings) {
+        const auto at_same_end = [&](const WallOpening& other) {
+            const OpeningEnds own = ends_of(opening, deployment.lattice);
+            const OpeningEnds others = ends_of(other, deployment.lattice);
+            return other.kind == OpeningKind::end && opening.kind == OpeningKind::end &&
+                   ((own.distal && others.distal) || (own.proximal && others.proximal));
+        };
+        const auto other = std::find_if(joined.begin(), joined.end(), at_same_end);
+        if (other == joined.end()) {
+            joined.push_back(std::move(opening));
+            continue;
+        }
+        std::vector<int> nodes = other->nodes;
+        nodes.insert(nodes.end(), opening.nodes.begin(), opening.nodes.end());
+        *other = opening_of(deployment, areas, std::move(nodes));
+        other->kind = OpeningKind::end;
+    }
+    return joined;
+}
+
+}  // namespace
+
+std::string_view name_of(OpeningKind kind)
+{
+    switch (kind) {
+        case OpeningKind::sac:
+            return "sac";
+        case OpeningKind::branch:
+            return "branch";
+        case OpeningKind::end:
+            return "end";
+    }
+    return "";
+}
+
+OpeningEnds ends_of(const WallOpening& opening, const BraidLattice& lattice)
+{
+    if (opening.nodes.empty()) return {};
+    return {opening.nodes.front() < lattice.nodes_per_ring,
+            opening.nodes.back() >= lattice.node(lattice.num_rings - 1, 0)};
+}
+
+Vec3 middle_of(const WallOpening& opening, const Deployment& deployment)
+{
+    if (opening.nodes.empty())
+        return deployment.rings[index((opening.distal_ring + opening.proximal_ring) / 2)].origin;
+    Vec3 sum = Vec3::Zero();
+    for (const int node : opening.nodes)
+        sum += deployment.nodes[index(node)];
+    return sum / static_cast<double>(opening.nodes.size());
+}
+
+std::vector<WallOpening> told_apart(const std::vector<WallOpening>& openings,
+                                    const Deployment& deployment, const VesselAround& around,
+                                    bool neck_given)
+{
+    const double reach = reach_ratio * deployment.lattice.nominal_radius;
+    const std::vector<double> areas = node_areas(deployment.lattice, deployment.nodes);
+    const auto first_found = openings.begin() + (neck_given ? 1 : 0);
+    const std::vector<WallOpening> found(first_found, openings.end());
+    std::vector<WallOpening> parts;
+    if (!found.empty()) parts = parts_of(found, deployment, areas, Surroundings(around, reach));
+
+    std::vector<WallOpening> known(openings.begin(), first_found);
+    known.insert(known.end(), parts.begin(), parts.end());
+    for (WallOpening& part : free_parts(known, deployment, areas, around.wall, reach))
+        parts.push_back(std::move(part));
+    parts = with_joined_ends(std::move(parts), deployment, areas);
+    std::stable_sort(parts.begin(), parts.end(), [](const WallOpening& a, const WallOpening& b) {
+        return a.kind != b.kind ? a.kind < b.kind : a.area > b.area;
+    });
+    parts.insert(parts.begin(), openings.begin(), first_found);
+    return parts;
+}
+
+}  // namespace braidzone
