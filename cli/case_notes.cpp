@@ -2,10 +2,12 @@
 
 #include "core/place_text.hpp"
 #include "deploy/deployment_measures.hpp"
+#include "porous/range_check.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
+#include <variant>
 
 namespace braidzone {
 namespace {
@@ -80,6 +82,30 @@ std::vector<std::string> inversion_notes(const Deployment& deployment, const Len
         "folds there, and its coverage and resistance there mean nothing",
         inverted.size(), 1e3 * deployment.ring_arc_length[static_cast<std::size_t>(ring)],
         place_text(centre, unit))};
+}
+
+std::vector<std::string> jam_notes(const ResistanceLaw& law, const ResistanceSheet& sheet,
+                                   const Deployment& deployment,
+                                   const std::vector<WallOpening>& openings, const LengthUnit& unit)
+{
+    if (std::holds_alternative<ConstantLaw>(law)) return {};
+    const std::vector<Rhombus>& rhombi = sheet.surface.rhombi;
+    const std::vector<NeckPart> parts = neck_parts(deployment, openings);
+    std::size_t num_jammed = 0, num_at_neck = 0, first = 0;
+    for (std::size_t i = 0; i < rhombi.size(); ++i) {
+        if (!is_jammed(rhombi[i])) continue;
+        if (num_jammed == 0) first = i;
+        ++num_jammed;
+        num_at_neck += parts[i] != NeckPart::none;
+    }
+    if (num_jammed == 0) return {};
+    const auto ring = first / static_cast<std::size_t>(deployment.lattice.nodes_per_ring);
+    return {fmt::format(
+        "{} of {} rhombi are jammed ({} of them at the neck), the first at {:.4g} mm along the "
+        "centerline, {}: wires of a family touch there (solidity above {}), no law holds, and the "
+        "loss is that of {} at this solidity",
+        num_jammed, rhombi.size(), num_at_neck, 1e3 * deployment.ring_arc_length[ring],
+        place_text(sheet.surface.centres[first], unit), jammed_solidity, law_name(law))};
 }
 
 }  // namespace braidzone

@@ -3,6 +3,9 @@
 #include "cli/case_file.hpp"
 #include "core/centerline.hpp"
 #include "deploy/deployment.hpp"
+#include "deploy/neck.hpp"
+#include "porous/resistance_law.hpp"
+#include "porous/resistance_sheet.hpp"
 
 #include <string>
 #include <vector>
@@ -25,5 +28,14 @@ std::vector<std::string> unit_slip_notes(const Case& job, const Centerline& cent
 /// none for a sound braid.
 /// @param unit  of the place
 std::vector<std::string> inversion_notes(const Deployment& deployment, const LengthUnit& unit);
+
+/// How many rhombi are jammed, so that no law holds and that of the nearest cell which is not is
+/// taken (`opened_to_limit`): their number, those at the neck, and where the first lies.
+/// @param sheet     of the deployment, with the law's losses
+/// @param openings  behind the device, the neck first
+std::vector<std::string> jam_notes(const ResistanceLaw& law, const ResistanceSheet& sheet,
+                                   const Deployment& deployment,
+                                   const std::vector<WallOpening>& openings,
+                                   const LengthUnit& unit);
 
 }  // namespace braidzone

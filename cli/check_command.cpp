@@ -228,6 +228,7 @@ void check_case(const std::filesystem::path& case_file, const CommonOptions& opt
     print_resistance(job, chain.resistance);
     print_notes(unit_slip_notes(job, chain.centerline));
     print_notes(inversion_notes(chain.deployment, job.vessel.unit));
+    print_notes(jam_notes(job.law, chain.sheet, chain.deployment, chain.openings, job.vessel.unit));
     if (chain.second) print_notes(inversion_notes(chain.second->deployment, job.vessel.unit));
     if (job.exports.openfoam) print_flow(job.exports.openfoam->flow, chain);
     if (job.rheology) fmt::print("  note: {}\n", rheology_note(job.fluid));

@@ -425,6 +425,32 @@ private:
     std::vector<Opening> opened_;  ///< by us, with their kind
 };
 
+Vec3 area_vector(const TriangleMesh& mesh, std::size_t triangle)
+{
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    const Vec3& origin = mesh.points[static_cast<std::size_t>(a)];
+    return 0.5 * (mesh.points[static_cast<std::size_t>(b)] - origin)
+                     .cross(mesh.points[static_cast<std::size_t>(c)] - origin);
+}
+
+/// Refuses a moved wall that has passed itself, such as a tube by more than its radius: that is a
+/// sound tube again, but each of its triangles faces the other way.
+void require_unturned(const Vessel& vessel, const TriangleMesh& moved)
+{
+    std::size_t num_turned = 0, first = 0;
+    for (std::size_t triangle = 0; triangle < moved.triangles.size(); ++triangle) {
+        if (area_vector(vessel.wall, triangle).dot(area_vector(moved, triangle)) > 0.0) continue;
+        if (num_turned == 0) first = triangle;
+        ++num_turned;
+    }
+    if (num_turned == 0) return;
+    const Vec3& place =
+        vessel.wall.points[static_cast<std::size_t>(vessel.wall.triangles[first].front())];
+    throw GeometryError(
+        fmt::format("{} of {} triangles of the moved surface face the other way, the first at {}",
+                    num_turned, moved.triangles.size(), place_text(place, vessel.unit)));
+}
+
 }  // namespace
 
 Vessel make_vessel(const LabelledSurface& surface, const LengthUnit& unit,
@@ -441,6 +467,7 @@ Vessel make_vessel(const TriangleMesh& surface, const LengthUnit& unit,
 
 Vessel with_wall(const Vessel& vessel, TriangleMesh wall)
 {
+    require_unturned(vessel, wall);
     // Nothing is mended: even normals that point inwards mean that the wall has passed itself.
     if (const SurfaceDefects defects = find_defects(wall); !is_sound(defects))
         throw GeometryError("the moved surface is defective:\n" + describe(defects));

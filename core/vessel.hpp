@@ -59,8 +59,9 @@ Vessel make_vessel(const TriangleMesh& surface, const LengthUnit& unit,
                    const VesselOptions& options = {});
 
 /// A vessel whose wall has been moved, otherwise the same: its rims were judged before.
-/// @param wall  with the same rims, sound or not
-/// @throws GeometryError if the wall is defective, with the list of the defects
+/// @param wall  with the same triangles and rims, sound or not
+/// @throws GeometryError if the wall has passed itself, so that triangles face the other way, or is
+///         defective, with the list of the defects
 Vessel with_wall(const Vessel& vessel, TriangleMesh wall);
 
 /// The closed surface of the lumen: the wall with each opening closed by a fan.

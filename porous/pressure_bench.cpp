@@ -4,10 +4,12 @@
 #include "deploy/braid_kinematics.hpp"
 #include "porous/braid_stokes.hpp"
 #include "porous/edge_gap.hpp"
+#include "porous/range_check.hpp"
 
 #include <fmt/format.h>
 
 #include <numbers>
+#include <variant>
 
 namespace braidzone {
 
@@ -28,6 +30,8 @@ Rhombus bench_rhombus(const PressureBench& bench)
 SheetLoss bench_loss(const PressureBench& bench)
 {
     const Rhombus rhombus = bench_rhombus(bench);
+    if (!std::holds_alternative<ConstantLaw>(bench.law))
+        require_pores(rhombus, law_name(bench.law).c_str());
     SheetLoss loss = sheet_loss(bench.law, rhombus, bench.fluid);
     if (bench.added_inertia != 0.0) {
         loss.quadratic +=

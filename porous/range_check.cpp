@@ -5,14 +5,43 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace braidzone {
 
+namespace {
+
+/// Over the limit: rounding of a cell that was opened to it.
+constexpr double solidity_rounding = 1e-9;
+
+}  // namespace
+
+bool is_jammed(const Rhombus& rhombus)
+{
+    return !(densest_solidity(rhombus) <= jammed_solidity * (1.0 + solidity_rounding));
+}
+
+Rhombus opened_to_limit(const Rhombus& rhombus)
+{
+    if (!is_jammed(rhombus)) return rhombus;
+    const double spacing = rhombus.wire_diameter / jammed_solidity;
+    const double length_a = std::max(spacing, rhombus.edge_a.norm());
+    const double length_b = std::max(spacing, rhombus.edge_b.norm());
+    const double sine = spacing / std::min(length_a, length_b);
+    const Vec3 along = rhombus.edge_a.normalized();
+    const double part = rhombus.edge_b.dot(along);
+    const Vec3 across = (rhombus.edge_b - part * along).normalized();
+    const double cosine = std::copysign(std::sqrt(std::max(0.0, 1.0 - sine * sine)), part);
+    Rhombus opened = measure_rhombus(length_a * along, length_b * (cosine * along + sine * across),
+                                     rhombus.wire_diameter, along);
+    opened.braid_angle = rhombus.braid_angle;
+    return opened;
+}
+
 void require_pores(const Rhombus& rhombus, const char* law)
 {
-    constexpr double jammed_solidity = 0.95;
     const double densest = densest_solidity(rhombus);
-    if (densest < jammed_solidity) return;
+    if (!is_jammed(rhombus)) return;
     throw InputError(fmt::format(
         "jammed braid: wires of {:.6g} m at a spacing of {:.6g} m, solidity {:.6g}; {} needs less "
         "than {:.6g}",

@@ -1,6 +1,7 @@
 #include "porous/resistance_law.hpp"
 
 #include <utility>
+#include <variant>
 
 namespace braidzone {
 
@@ -32,7 +33,9 @@ std::vector<ResistanceLaw> laws_without_data()
 
 SheetLoss sheet_loss(const ResistanceLaw& law, const Rhombus& rhombus, const Fluid& fluid)
 {
-    return std::visit([&](const auto& one) { return sheet_loss(one, rhombus, fluid); }, law);
+    if (const auto* given = std::get_if<ConstantLaw>(&law)) return given->loss;
+    const Rhombus cell = opened_to_limit(rhombus);
+    return std::visit([&](const auto& one) { return sheet_loss(one, cell, fluid); }, law);
 }
 
 std::vector<std::string> range_warnings(const ResistanceLaw& law,

@@ -31,8 +31,9 @@ std::vector<std::string> law_names();
 /// first.
 std::vector<ResistanceLaw> laws_without_data();
 
-/// The law's loss for one rhombus of the braid.
-/// @throws InputError for a jammed cell (`require_pores`), with any law but `constant`
+/// The law's loss for one rhombus of the braid; a jammed one gets that of the nearest cell which is
+/// not (`opened_to_limit`). Beyond the range that its source covers the law is extrapolated up to
+/// there, and `range_warnings` says so.
 SheetLoss sheet_loss(const ResistanceLaw& law, const Rhombus& rhombus, const Fluid& fluid);
 
 /// Sentences about rhombi outside the law's range of validity; empty if there are none.

@@ -41,7 +41,8 @@ double way_into_opening(double radius, double open, double nominal_radius)
         return std::abs(std::atan2(middle.y(), middle.x())) < open &&
                std::abs(middle.z() - 0.5 * tube_length) < 4e-3;
     });
-    const WallTree wall(make_vessel(mesh, LengthUnit{"mm", 1e-3}));
+    // With `make_vessel` the missing wall would be a hole.
+    const WallTree wall(Vessel{mesh, measured_openings(mesh), LengthUnit{"mm", 1e-3}, {}});
     const auto rings = centred_rings(test::tube_centerline(radius, tube_length), wall,
                                      {8e-3, 6e-3, 4e-3}, nominal_radius);
     return std::hypot(rings[1].origin.x(), rings[1].origin.y());

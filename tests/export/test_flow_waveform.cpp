@@ -39,13 +39,13 @@ TEST_F(Waveform, ReadsTheUnitsOfItsHeader)
     const FlowWaveform slow = read("time_ms,flow_rate_mL_min\n0,60\n250,120\n800,60\n");
     EXPECT_DOUBLE_EQ(slow.times[1], 0.25);
     EXPECT_DOUBLE_EQ(slow.flow_rates[1], 2e-6);
-    EXPECT_DOUBLE_EQ(read("time_s,flow_rate_m3_s\n0,0\n1,2\n3,0\n").flow_rates[1], 2.0);
+    EXPECT_DOUBLE_EQ(read("time_s,flow_rate_m3_s\n0,0\n1,2e-6\n3,0\n").flow_rates[1], 2e-6);
 }
 
-// Triangles of height 2 over a base of 4: mean 1. Steps need not be equal.
+// Triangles of height 2e-6 over a base of 4: mean 1e-6. Steps need not be equal.
 TEST_F(Waveform, MeanIsThatOfTheLines)
 {
-    EXPECT_DOUBLE_EQ(mean_flow_rate(read("time_s,flow_rate_m3_s\n0,0\n1,2\n4,0\n")), 1.0);
+    EXPECT_DOUBLE_EQ(mean_flow_rate(read("time_s,flow_rate_m3_s\n0,0\n1,2e-6\n4,0\n")), 1e-6);
 }
 
 TEST_F(Waveform, RefusesWhatIsNoWaveformAndNamesTheLine)

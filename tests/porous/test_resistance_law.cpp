@@ -1,8 +1,12 @@
 #include "core/error.hpp"
 #include "porous/braid_stokes.hpp"
+#include "porous/range_check.hpp"
 #include "porous/resistance_law.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
 
 namespace braidzone {
 namespace {
@@ -51,19 +55,39 @@ TEST(SheetLoss, ConstantLawGivesItsValuesEverywhere)
     }
 }
 
-// Wires of 30 um every 31 um: solidity 0.968.
-TEST(SheetLoss, JammedBraidIsRefused)
+// Wires of 30 um every 31 um: solidity 0.968. The nearest square cell that is not jammed has them
+// every 30 / 0.95 = 31.58 um; with one law and the constant one, which needs no pore.
+TEST(SheetLoss, AJammedRhombusHasTheLossOfTheNearestThatIsNot)
 {
-    EXPECT_NO_THROW(sheet_loss(BraidStokesLaw{}, pore(33, 30), fluid));
-    try {
-        sheet_loss(BraidStokesLaw{}, pore(31, 30), fluid);
-        FAIL() << "a jammed cell was accepted";
-    } catch (const InputError& error) {
-        const std::string message = error.what();
-        EXPECT_NE(message.find("jammed"), std::string::npos);
-        EXPECT_NE(message.find("0.967742"), std::string::npos);
-        EXPECT_NE(message.find("0.95"), std::string::npos);
-    }
+    const SheetLoss at_limit = sheet_loss(BraidStokesLaw{}, pore(30 / 0.95, 30), fluid);
+    const SheetLoss jammed = sheet_loss(ResistanceLaw{BraidStokesLaw{}}, pore(31, 30), fluid);
+    EXPECT_NEAR(jammed.linear, at_limit.linear, 1e-6 * at_limit.linear);
+    EXPECT_NEAR(jammed.quadratic, at_limit.quadratic, 1e-6 * at_limit.quadratic);
+    EXPECT_THROW(sheet_loss(BraidStokesLaw{}, pore(31, 30), fluid), InputError);
+    EXPECT_EQ(sheet_loss(ResistanceLaw{ConstantLaw{{400.0, 300.0}}}, pore(31, 30), fluid).linear,
+              400.0);
+}
+
+// Two families 60 um long each at 25 degrees: p = 60 sin 25 = 25.4 um, less than the wires. Opened
+// until p = 31.58 um, at asin(31.58 / 60) = 31.76 degrees; the edges keep their length.
+TEST(OpenedToLimit, OpensTheCrossingAngleUntilTheWiresPart)
+{
+    const double angle = 25.0 * std::numbers::pi / 180.0;
+    const Rhombus jammed =
+        measure_rhombus(60e-6 * Vec3::UnitX(), 60e-6 * Vec3(std::cos(angle), std::sin(angle), 0.0),
+                        30e-6, Vec3::UnitX());
+    ASSERT_TRUE(is_jammed(jammed));
+    const Rhombus opened = opened_to_limit(jammed);
+    EXPECT_FALSE(is_jammed(opened));
+    EXPECT_NEAR(densest_solidity(opened), 0.95, 1e-12);
+    EXPECT_NEAR(opened.edge_a.norm(), 60e-6, 1e-15);
+    EXPECT_NEAR(opened.edge_b.norm(), 60e-6, 1e-15);
+    EXPECT_NEAR(opened.crossing_angle, std::asin(30.0 / 0.95 / 60.0), 1e-12);
+}
+
+TEST(OpenedToLimit, LeavesAnyOtherCellAsItIs)
+{
+    EXPECT_EQ(opened_to_limit(pore(33, 30)).area, pore(33, 30).area);
 }
 
 TEST(RangeWarnings, CountsRhombiOutsideTheVerifiedSolidities)
