@@ -1,5 +1,6 @@
 #include "cli/case_notes.hpp"
 
+#include "cli/apposition_notes.hpp"
 #include "core/place_text.hpp"
 #include "deploy/deployment_measures.hpp"
 #include "porous/range_check.hpp"
@@ -106,6 +107,30 @@ std::vector<std::string> jam_notes(const ResistanceLaw& law, const ResistanceShe
         "loss is that of {} at this solidity",
         num_jammed, rhombi.size(), num_at_neck, 1e3 * deployment.ring_arc_length[ring],
         place_text(sheet.surface.centres[first], unit), jammed_solidity, law_name(law))};
+}
+
+std::vector<std::string> chain_notes(const Case& job, const Chain& chain)
+{
+    std::vector<std::string> all = unit_slip_notes(job, chain.centerline);
+    const LengthUnit& unit = job.vessel.unit;
+    const auto add = [&](const std::vector<std::string>& notes, const char* whose) {
+        for (const std::string& note : notes)
+            all.push_back(whose + note);
+    };
+    const auto add_device = [&](const PlacedDevice& placed, const ResistanceSheet& sheet,
+                                const char* whose) {
+        add(apposition_notes(placed, chain.wall, unit), whose);
+        add(inversion_notes(placed.deployment, unit), whose);
+        add(jam_notes(job.law, sheet, placed.deployment, placed.openings, unit), whose);
+    };
+    add_device({job.device, job.schedule, chain.deployment, chain.openings}, chain.sheet, "");
+    if (chain.second) {
+        add_device({job.second_device->device, job.second_device->schedule,
+                    chain.second->deployment, chain.second->openings},
+                   chain.second->sheet, "second device: ");
+    }
+    add(range_warnings(job.law, chain.resistance.surface.rhombi, job.fluid), "");
+    return all;
 }
 
 }  // namespace braidzone

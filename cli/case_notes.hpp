@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cli/case_file.hpp"
+#include "cli/pipeline.hpp"
 #include "core/centerline.hpp"
 #include "deploy/deployment.hpp"
 #include "deploy/neck.hpp"
@@ -31,11 +32,16 @@ std::vector<std::string> inversion_notes(const Deployment& deployment, const Len
 
 /// How many rhombi are jammed, so that no law holds and that of the nearest cell which is not is
 /// taken (`opened_to_limit`): their number, those at the neck, and where the first lies.
-/// @param sheet     of the deployment, with the law's losses
+/// @param sheet     of the deployment, with the law's losses; none if no law was applied
 /// @param openings  behind the device, the neck first
 std::vector<std::string> jam_notes(const ResistanceLaw& law, const ResistanceSheet& sheet,
                                    const Deployment& deployment,
                                    const std::vector<WallOpening>& openings,
                                    const LengthUnit& unit);
+
+/// All that a person must know of a case that has been run, as far as the chain went: likely slips
+/// of a unit, and for each device how it lies (`apposition_notes`), turned and jammed rhombi, and
+/// rhombi outside the law's range.
+std::vector<std::string> chain_notes(const Case& job, const Chain& chain);
 
 }  // namespace braidzone

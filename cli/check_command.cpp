@@ -140,7 +140,7 @@ void print_openings(const Deployment& deployment, const std::vector<WallOpening>
     }
 }
 
-void print_resistance(const Case& job, const ResistanceSheet& sheet)
+void print_resistance(const Case& job)
 {
     const bool whole = job.sheet.region == ResistanceRegion::whole_device;
     fmt::print("resistance  {}, {}; tangential ratio {:.4g}{}\n", law_name(job.law),
@@ -158,14 +158,6 @@ void print_resistance(const Case& job, const ResistanceSheet& sheet)
                 braid.loss.quadratic, 100.0 * braid.fit_error);
         }
     }
-    for (const std::string& warning : range_warnings(job.law, sheet.surface.rhombi, job.fluid))
-        fmt::print("  note: {}\n", warning);
-}
-
-void print_notes(const std::vector<std::string>& notes)
-{
-    for (const std::string& note : notes)
-        fmt::print("  note: {}\n", note);
 }
 
 /// The flow of the OpenFOAM case, opening by opening.
@@ -212,7 +204,7 @@ void check_case(const std::filesystem::path& case_file, const CommonOptions& opt
 {
     const Case job = read_case(case_file, options.overrides);
     Progress progress(options.quiet);
-    const Chain chain = run_chain(job, Stage::deploy, progress);
+    const Chain chain = run_chain(job, Stage::check, progress);
     if (options.quiet) return;
 
     print_vessel(job, chain.vessel);
@@ -225,11 +217,9 @@ void check_case(const std::filesystem::path& case_file, const CommonOptions& opt
         print_landing(chain.second->deployment, job.second_device->schedule);
         print_openings(chain.second->deployment, chain.second->openings);
     }
-    print_resistance(job, chain.resistance);
-    print_notes(unit_slip_notes(job, chain.centerline));
-    print_notes(inversion_notes(chain.deployment, job.vessel.unit));
-    print_notes(jam_notes(job.law, chain.sheet, chain.deployment, chain.openings, job.vessel.unit));
-    if (chain.second) print_notes(inversion_notes(chain.second->deployment, job.vessel.unit));
+    print_resistance(job);
+    for (const std::string& note : chain_notes(job, chain))
+        fmt::print("  note: {}\n", note);
     if (job.exports.openfoam) print_flow(job.exports.openfoam->flow, chain);
     if (job.rheology) fmt::print("  note: {}\n", rheology_note(job.fluid));
     const BraidLattice& lattice = chain.deployment.lattice;

@@ -98,15 +98,18 @@ Chain run_chain(const Case& job, Stage last, Progress& progress)
                           deployment, vessel, centerline);
         second->openings = openings_behind(second->deployment);
     }
-    progress.begin("porous", "computing the flow resistance");
-    ResistanceSheet sheet = resistance_of(job, deployment, job.device);
-    ResistanceSheet resistance = sheet;
-    if (second) {
-        second->sheet = resistance_of(job, second->deployment, job.second_device->device);
-        resistance = joined(sheet, second->sheet);
-    }
+    ResistanceSheet sheet, resistance;
     std::optional<PorousField> field;
-    if (last != Stage::deploy) field = deposit(resistance, vessel, job.deposit);
+    if (last != Stage::check) {
+        progress.begin("porous", "computing the flow resistance");
+        sheet = resistance = resistance_of(job, deployment, job.device);
+        if (second) {
+            second->sheet = resistance_of(job, second->deployment, job.second_device->device);
+            resistance = joined(sheet, second->sheet);
+        }
+    }
+    if (last == Stage::porous || last == Stage::exports)
+        field = deposit(resistance, vessel, job.deposit);
     progress.end();
     return {std::move(vessel),     std::move(wall),       std::move(centerline),
             std::move(deployment), std::move(openings),   std::move(sheet),

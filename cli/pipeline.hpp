@@ -15,8 +15,8 @@
 
 namespace braidzone {
 
-/// How far the chain goes.
-enum class Stage { deploy, porous, exports };
+/// How far the chain goes. `check` ends where the device lies: no resistance law is applied.
+enum class Stage { check, deploy, porous, exports };
 
 /// A device that was deployed inside the first one.
 struct SecondDeployment {
@@ -32,10 +32,10 @@ struct Chain {
     Centerline centerline;
     Deployment deployment;
     std::vector<WallOpening> openings;  ///< as `told_apart` sorts them, the neck first
-    ResistanceSheet sheet;              ///< of the device
+    ResistanceSheet sheet;              ///< of the device; this and the next empty after `check`
     std::optional<SecondDeployment> second;
     ResistanceSheet resistance;        ///< of all devices
-    std::optional<PorousField> field;  ///< absent if the chain ends with the deployment
+    std::optional<PorousField> field;  ///< absent if the chain ends before
 };
 
 /// Deploys the device of a case, measures its braid, and applies the resistance law:

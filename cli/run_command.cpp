@@ -11,7 +11,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
+#include <optional>
 
 namespace braidzone {
 namespace {
@@ -33,6 +35,25 @@ std::string title(const Case& job)
     return fmt::format("{} {:.4g} x {:.4g} mm in {}", job.device.name,
                        1e3 * job.device.nominal_diameter, 1e3 * job.device.nominal_length,
                        job.vessel.surface.filename().string());
+}
+
+/// The mesh and the deployment should tell of as many sacs. They do not where the device leaves the
+/// wall at an end, a mesh is too coarse for the gap between a neck and an ostium, or a sac shares
+/// its pouch with a branch.
+std::optional<std::string> sac_count_warning(const Chain& chain, const FoamApplication& applied)
+{
+    const auto is_sac = [](const WallOpening& opening) {
+        return opening.kind == OpeningKind::sac && !opening.nodes.empty();
+    };
+    auto num_sacs = std::count_if(chain.openings.begin(), chain.openings.end(), is_sac);
+    if (chain.second)
+        num_sacs = std::max(num_sacs, std::count_if(chain.second->openings.begin(),
+                                                    chain.second->openings.end(), is_sac));
+    if (static_cast<std::size_t>(num_sacs) == applied.sac_volumes.size()) return std::nullopt;
+    return fmt::format(
+        "{} sacs lie behind the device and the mesh has {} that it closes off: their figures are "
+        "of those",
+        num_sacs, applied.sac_volumes.size());
 }
 
 }  // namespace
@@ -82,6 +103,8 @@ void apply_case_to_foam(const std::filesystem::path& case_file,
 
     for (const std::string& warning : applied.warnings)
         fmt::print(stderr, "note: {}\n", warning);
+    if (const auto warning = sac_count_warning(chain, applied))
+        fmt::print(stderr, "note: {}\n", *warning);
     if (job.rheology) fmt::print(stderr, "note: {}\n", rheology_note(job.fluid));
     if (options.quiet) return;
     fmt::print(
@@ -89,7 +112,8 @@ void apply_case_to_foam(const std::filesystem::path& case_file,
         "zones\n",
         title(job), applied.num_resistant_cells, applied.num_cells, applied.num_zones,
         applied.integral_sheet, applied.integral_mesh);
-    if (applied.sac_volume) fmt::print("  sac {:.4g} mm3\n", 1e9 * *applied.sac_volume);
+    for (const double volume : applied.sac_volumes)
+        fmt::print("  sac {:.4g} mm3\n", 1e9 * volume);
     for (const auto& file : applied.files)
         fmt::print("  {}\n", file.string());
 }

@@ -233,15 +233,7 @@ std::vector<std::string> warnings(const Case& job, const Chain& chain)
         }
     }
     add(chain.vessel.notes);
-    add(unit_slip_notes(job, chain.centerline));
-    add(inversion_notes(chain.deployment, job.vessel.unit));
-    if (chain.second) add(inversion_notes(chain.second->deployment, job.vessel.unit));
-    add(jam_notes(job.law, chain.sheet, chain.deployment, chain.openings, job.vessel.unit));
-    if (chain.second) {
-        add(jam_notes(job.law, chain.second->sheet, chain.second->deployment,
-                      chain.second->openings, job.vessel.unit));
-    }
-    add(range_warnings(job.law, chain.resistance.surface.rhombi, job.fluid));
+    add(chain_notes(job, chain));
     if (job.neck && chain.openings.front().nodes.empty()) {
         all.push_back(fmt::format(
             "deployment.neck = {:.6g} to {:.6g} mm: the vessel does not open there; figures of the "

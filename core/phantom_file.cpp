@@ -46,6 +46,36 @@ PhantomBifurcation read_bifurcation(const TomlTable& table)
     return bifurcation;
 }
 
+/// From a perforating branch to the aorta; what the parts demand of each other is checked when the
+/// phantom is made.
+const KeyRanges& phantom_key_ranges()
+{
+    static const KeyRanges ranges = {{"vessel.proximal_radius", "0 mm", "30 mm"},
+                                     {"vessel.distal_radius", "0 mm", "30 mm"},
+                                     {"vessel.ovality", "0", "1"},
+                                     {"vessel.oval_direction", "-360 deg", "360 deg"},
+                                     {"vessel.edge_length", "0 mm", "30 mm"},
+                                     {"vessel.blend_radius", "0 mm", "30 mm"},
+                                     {"segment.length", "0 mm", "2 m"},
+                                     {"segment.angle", "0 deg", "360 deg"},
+                                     {"segment.plane_angle", "-360 deg", "360 deg"},
+                                     {"sac.position", "0 mm", "10 m"},
+                                     {"sac.direction", "-360 deg", "360 deg"},
+                                     {"sac.diameter", "0 mm", "100 mm"},
+                                     {"sac.height", "0 mm", "100 mm"},
+                                     {"sac.neck", "0 mm", "100 mm"},
+                                     {"sac.edge_length", "0 mm", "30 mm"},
+                                     {"branch.position", "0 mm", "10 m"},
+                                     {"branch.direction", "-360 deg", "360 deg"},
+                                     {"branch.tilt", "0 deg", "180 deg"},
+                                     {"branch.radius", "0 mm", "30 mm"},
+                                     {"branch.length", "0 mm", "2 m"},
+                                     {"bifurcation.radius", "0 mm", "30 mm"},
+                                     {"bifurcation.length", "0 mm", "2 m"},
+                                     {"bifurcation.half_angle", "0 deg", "90 deg"}};
+    return ranges;
+}
+
 }  // namespace
 
 Phantom read_phantom(const TomlTable& file)
@@ -71,6 +101,7 @@ Phantom read_phantom(const TomlTable& file)
     }
     if (file.has("bifurcation")) phantom.bifurcation = read_bifurcation(file.table("bifurcation"));
     file.finish();
+    file.require_ranges(phantom_key_ranges());
     return phantom;
 }
 

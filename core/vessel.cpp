@@ -6,6 +6,7 @@
 #include "core/near_points.hpp"
 #include "core/place_text.hpp"
 #include "core/rounded_ends.hpp"
+#include "core/split_edges.hpp"
 #include "core/surface_caps.hpp"
 #include "core/surface_check.hpp"
 #include "core/wall_tree.hpp"
@@ -30,7 +31,7 @@ public:
     {
         vessel_.unit = unit;
         vessel_.notes = surface.notes;
-        open_labelled_caps(with_merged_points(surface));
+        open_labelled_caps(with_edges_split_at_corners(with_merged_points(surface)));
         auto [mended, notes] = repair(vessel_.wall, options.repair, unit);
         vessel_.wall = std::move(mended);
         vessel_.notes.insert(vessel_.notes.end(), notes.begin(), notes.end());
@@ -57,24 +58,39 @@ private:
 
     std::string place(const Vec3& point) const { return place_text(point, vessel_.unit); }
 
-    LabelledSurface with_merged_points(const LabelledSurface& surface)
+    /// The surface with triangles that came of others, which keep their labels.
+    static LabelledSurface with_mesh(const LabelledSurface& surface, TriangleMesh mesh,
+                                     const std::vector<int>& from)
     {
         LabelledSurface result = surface;
+        result.mesh = std::move(mesh);
+        if (surface.labels.empty()) return result;
+        result.labels.clear();
+        for (const int triangle : from)
+            result.labels.push_back(surface.labels[static_cast<std::size_t>(triangle)]);
+        return result;
+    }
+
+    LabelledSurface with_merged_points(const LabelledSurface& surface)
+    {
         MergedPoints merged = merged_near_points(surface.mesh);
-        if (merged.num_merged == 0) return result;
+        if (merged.num_merged == 0) return surface;
         const std::size_t num_dropped = surface.mesh.triangles.size() - merged.kept.size();
         vessel_.notes.push_back(fmt::format(
             "merged {} points nearer to another one than 1e-4 of the edges there{}",
             merged.num_merged,
             num_dropped > 0 ? fmt::format(" and dropped {} triangles of no width", num_dropped)
                             : std::string()));
-        if (!surface.labels.empty()) {
-            result.labels.clear();
-            for (const int triangle : merged.kept)
-                result.labels.push_back(surface.labels[static_cast<std::size_t>(triangle)]);
-        }
-        result.mesh = std::move(merged.mesh);
-        return result;
+        return with_mesh(surface, std::move(merged.mesh), merged.kept);
+    }
+
+    LabelledSurface with_edges_split_at_corners(const LabelledSurface& surface)
+    {
+        SplitEdges split = with_split_edges(surface.mesh);
+        if (split.num_corners == 0) return surface;
+        vessel_.notes.push_back(fmt::format(
+            "split edges at {} corners of finer triangles that lie on them", split.num_corners));
+        return with_mesh(surface, std::move(split.mesh), split.from);
     }
 
     void open_labelled_caps(LabelledSurface surface)
@@ -425,30 +441,23 @@ private:
     std::vector<Opening> opened_;  ///< by us, with their kind
 };
 
-Vec3 area_vector(const TriangleMesh& mesh, std::size_t triangle)
-{
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    const Vec3& origin = mesh.points[static_cast<std::size_t>(a)];
-    return 0.5 * (mesh.points[static_cast<std::size_t>(b)] - origin)
-                     .cross(mesh.points[static_cast<std::size_t>(c)] - origin);
-}
-
 /// Refuses a moved wall that has passed itself, such as a tube by more than its radius: that is a
 /// sound tube again, but each of its triangles faces the other way.
 void require_unturned(const Vessel& vessel, const TriangleMesh& moved)
 {
-    std::size_t num_turned = 0, first = 0;
-    for (std::size_t triangle = 0; triangle < moved.triangles.size(); ++triangle) {
+    const int num_triangles = static_cast<int>(moved.triangles.size());
+    int num_turned = 0, first = 0;
+    for (int triangle = 0; triangle < num_triangles; ++triangle) {
         if (area_vector(vessel.wall, triangle).dot(area_vector(moved, triangle)) > 0.0) continue;
         if (num_turned == 0) first = triangle;
         ++num_turned;
     }
     if (num_turned == 0) return;
-    const Vec3& place =
-        vessel.wall.points[static_cast<std::size_t>(vessel.wall.triangles[first].front())];
+    const Vec3& place = vessel.wall.points[static_cast<std::size_t>(
+        vessel.wall.triangles[static_cast<std::size_t>(first)].front())];
     throw GeometryError(
         fmt::format("{} of {} triangles of the moved surface face the other way, the first at {}",
-                    num_turned, moved.triangles.size(), place_text(place, vessel.unit)));
+                    num_turned, num_triangles, place_text(place, vessel.unit)));
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace braidzone {
 namespace {
 
 /// What is told about a device and not computed with: texts, or lists of texts.
-constexpr std::array<std::string_view, 5> remarks = {"materials", "layers", "surface_porosity",
-                                                     "pore_density", "free_expansion"};
+constexpr std::array<std::string_view, 4> remarks = {"materials", "layers", "surface_porosity",
+                                                     "pore_density"};
 
 /// Two nominal sizes are the same if they differ by less than this part: sizes are stated to
 /// 0.25 mm of at most 8 mm, so that rounding cannot confuse them.
@@ -102,6 +102,23 @@ std::string show_value(const TomlTable& table, bool is_text)
             shown[i] += " (" + diameters[i] + ")";
     }
     return fmt::format("{}", fmt::join(shown, ", "));
+}
+
+/// Those of a case file, and of the sizes between which values are stated.
+KeyRanges device_file_ranges()
+{
+    const std::string smallest = "0.5 mm", largest = "60 mm";
+    KeyRanges ranges = {{"nominal_diameters.value", smallest, largest},
+                        {"nominal_lengths.value", "1 mm", "500 mm"}};
+    for (const DeviceParameter& parameter : device_parameters()) {
+        const std::string key(parameter.key);
+        ranges.push_back(
+            {key + ".value", std::string(parameter.lowest), std::string(parameter.highest)});
+        ranges.push_back({key + ".at_diameter", smallest, largest});
+        ranges.push_back({key + ".fit.constant", "-1e6", "1e6"});
+        ranges.push_back({key + ".fit.per_diameter", "-1 m", "1 m"});
+    }
+    return ranges;
 }
 
 SourcedValue sourced(const TomlTable& table, const std::string& key, bool is_text)
@@ -233,6 +250,7 @@ DeviceFile read_device_file(const std::filesystem::path& path)
         if (root.has(key)) model.values.push_back(sourced(root.table(key), key, true));
     }
     root.finish();
+    root.require_ranges(device_file_ranges());
     return file;
 }
 

@@ -1,15 +1,16 @@
 #include "deploy/opening_kind.hpp"
 
-#include "core/mesh_topology.hpp"
 #include "deploy/deployment_measures.hpp"
+#include "deploy/lumen_tube.hpp"
 #include "deploy/node_patches.hpp"
-#include "deploy/wall_profile.hpp"
+#include "deploy/wall_regions.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace braidzone {
 
@@ -20,134 +21,12 @@ constexpr double reach_ratio = 4.0;
 constexpr double outside_ratio = NeckOptions{}.outside_ratio;
 
 /// What a node looks into; regions of the wall count from 0.
-constexpr int nothing_outside = -1;  ///< the parent vessel's wall
-constexpr int through_vessel = -2;   ///< the vessel's own inlet or outlet
+constexpr int nothing_outside = WallRegions::none;  ///< the parent vessel's wall
+constexpr int through_vessel = -2;                  ///< the vessel's own inlet or outlet
 
 std::size_t index(int i)
 {
     return static_cast<std::size_t>(i);
-}
-
-/// The parent vessel's tube all along the centerline.
-struct ParentTube {
-    std::vector<CrossSection> sections;
-    std::vector<WallProfile> radii;
-    double spacing = 0.0;  ///< between sections [m]
-};
-
-ParentTube parent_tube_along(const VesselAround& around, double reach)
-{
-    const Centerline& line = around.centerline;
-    double sum = 0.0;
-    for (const CrossSection& section : line.sections)
-        sum += section.inscribed_radius;
-    const double mean_radius = sum / static_cast<double>(line.sections.size());
-    // Four sections a radius follow a bend as tight as the vessel is wide within 15 degrees.
-    const auto stride =
-        static_cast<std::size_t>(std::max(1.0, std::round(0.25 * mean_radius / line.spacing)));
-    ParentTube tube;
-    tube.spacing = static_cast<double>(stride) * line.spacing;
-    std::vector<double> places;
-    for (std::size_t i = 0; i < line.sections.size(); i += stride) {
-        tube.sections.push_back(line.sections[i]);
-        places.push_back(static_cast<double>(i) * line.spacing);
-        tube.radii.push_back(wall_profile(around.wall, line.sections[i], reach));
-    }
-    tube.radii = parent_profiles(places, tube.radii,
-                                 open_sections(places, tube.radii, NeckOptions{}.opening_ratio));
-    return tube;
-}
-
-bool is_outside(const ParentTube& tube, const Vec3& point)
-{
-    std::size_t nearest = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < tube.sections.size(); ++i) {
-        const double distance = (tube.sections[i].origin - point).squaredNorm();
-        if (distance < least) {
-            least = distance;
-            nearest = i;
-        }
-    }
-    const CrossSection& section = tube.sections[nearest];
-    return std::sqrt(least) >
-           outside_ratio * at_angle(tube.radii[nearest], angle_about_hub(section, point));
-}
-
-/// The wall outside the parent vessel's tube, by regions.
-struct WallRegions {
-    std::vector<int> of_triangle;  ///< `nothing_outside` on the parent vessel's wall
-    std::vector<std::vector<int>> vessel_openings;  ///< that each region reaches, increasing
-};
-
-std::vector<std::vector<int>> triangle_neighbours(const TriangleMesh& mesh)
-{
-    std::vector<std::vector<int>> neighbours(mesh.triangles.size());
-    for_each_edge(sorted_sides(mesh), [&](auto first, auto last) {
-        for (auto side = first; side != last; ++side) {
-            for (auto other = first; other != last; ++other) {
-                if (other != side) neighbours[index(side->triangle)].push_back(other->triangle);
-            }
-        }
-    });
-    return neighbours;
-}
-
-/// Numbers the regions of the triangles that are marked.
-int label_regions(std::vector<int>& of_triangle, const std::vector<char>& marked,
-                  const std::vector<std::vector<int>>& neighbours)
-{
-    int num_regions = 0;
-    for (std::size_t seed = 0; seed < marked.size(); ++seed) {
-        if (!marked[seed] || of_triangle[seed] != nothing_outside) continue;
-        std::vector<int> to_visit{static_cast<int>(seed)};
-        of_triangle[seed] = num_regions;
-        while (!to_visit.empty()) {
-            const int triangle = to_visit.back();
-            to_visit.pop_back();
-            for (const int next : neighbours[index(triangle)]) {
-                if (!marked[index(next)] || of_triangle[index(next)] != nothing_outside) continue;
-                of_triangle[index(next)] = num_regions;
-                to_visit.push_back(next);
-            }
-        }
-        ++num_regions;
-    }
-    return num_regions;
-}
-
-WallRegions wall_regions(const Vessel& vessel, const ParentTube& tube)
-{
-    const TriangleMesh& mesh = vessel.wall;
-    std::vector<char> outside;
-    for (const auto& [a, b, c] : mesh.triangles) {
-        outside.push_back(is_outside(
-            tube, (mesh.points[index(a)] + mesh.points[index(b)] + mesh.points[index(c)]) / 3.0));
-    }
-    WallRegions regions;
-    regions.of_triangle.assign(mesh.triangles.size(), nothing_outside);
-    regions.vessel_openings.resize(
-        index(label_regions(regions.of_triangle, outside, triangle_neighbours(mesh))));
-
-    std::vector<int> opening_at(mesh.points.size(), -1);
-    for (std::size_t opening = 0; opening < vessel.openings.size(); ++opening) {
-        for (const int point : vessel.openings[opening].rim)
-            opening_at[index(point)] = static_cast<int>(opening);
-    }
-    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-        const int region = regions.of_triangle[triangle];
-        if (region == nothing_outside) continue;
-        for (const int point : mesh.triangles[triangle]) {
-            const int opening = opening_at[index(point)];
-            std::vector<int>& reached = regions.vessel_openings[index(region)];
-            if (opening < 0 || std::find(reached.begin(), reached.end(), opening) != reached.end())
-                continue;
-            reached.push_back(opening);
-        }
-    }
-    for (std::vector<int>& reached : regions.vessel_openings)
-        std::sort(reached.begin(), reached.end());
-    return regions;
 }
 
 int opening_nearest(const Vessel& vessel, const Vec3& point)
@@ -166,12 +45,30 @@ public:
     Surroundings(const VesselAround& around, double reach)
         : vessel_(around.vessel),
           wall_(around.wall),
-          regions_(wall_regions(around.vessel, parent_tube_along(around, reach))),
           ends_{opening_nearest(vessel_, around.centerline.sections.front().origin),
-                opening_nearest(vessel_, around.centerline.sections.back().origin)}
+                opening_nearest(vessel_, around.centerline.sections.back().origin)},
+          parent_(tube_along(wall_, around.centerline, reach)),
+          reach_(reach),
+          regions_(wall_regions(vessel_, parent_, ends_))
     {
         const Box box = bounding_box(vessel_.wall);
         across_ = (box.upper - box.lower).norm();
+    }
+
+    /// Parts sacs from the branches that openings of a device look into.
+    void part_sacs_behind(const std::vector<WallOpening>& openings, const Deployment& deployment)
+    {
+        std::set<int> with_branches;
+        for (const WallOpening& opening : openings) {
+            for (const int node : opening.nodes) {
+                const int region =
+                    behind(deployment.rings[index(node / deployment.lattice.nodes_per_ring)],
+                           deployment.nodes[index(node)]);
+                if (!branches_of(region).empty()) with_branches.insert(region);
+            }
+        }
+        for (const int region : with_branches)
+            part_sacs_from_branches(regions_, region, vessel_, wall_, parent_, reach_);
     }
 
     /// The region behind a node of a ring, `nothing_outside` or `through_vessel`.
@@ -183,8 +80,8 @@ public:
         const int opening = opening_on_ray(ring.origin, direction);
         if (opening < 0) return nothing_outside;
         if (is_at_end(opening)) return through_vessel;
-        for (std::size_t region = 0; region < regions_.vessel_openings.size(); ++region) {
-            const std::vector<int>& reached = regions_.vessel_openings[region];
+        for (std::size_t region = 0; region < regions_.branches.size(); ++region) {
+            const std::vector<int>& reached = regions_.branches[region];
             if (std::find(reached.begin(), reached.end(), opening) != reached.end())
                 return static_cast<int>(region);
         }
@@ -195,9 +92,7 @@ public:
     std::vector<int> branches_of(int region) const
     {
         if (region < 0) return {};
-        std::vector<int> reached = regions_.vessel_openings[index(region)];
-        std::erase_if(reached, [&](int opening) { return is_at_end(opening); });
-        return reached;
+        return regions_.branches[index(region)];
     }
 
 private:
@@ -226,8 +121,10 @@ private:
 
     const Vessel& vessel_;
     const WallTree& wall_;
-    WallRegions regions_;
     std::array<int, 2> ends_;
+    LumenTube parent_;
+    double reach_;
+    WallRegions regions_;
     double across_ = 0.0;
 };
 
@@ -448,7 +345,11 @@ std::vector<WallOpening> told_apart(const std::vector<WallOpening>& openings,
     const auto first_found = openings.begin() + (neck_given ? 1 : 0);
     const std::vector<WallOpening> found(first_found, openings.end());
     std::vector<WallOpening> parts;
-    if (!found.empty()) parts = parts_of(found, deployment, areas, Surroundings(around, reach));
+    if (!found.empty()) {
+        Surroundings surroundings(around, reach);
+        surroundings.part_sacs_behind(found, deployment);
+        parts = parts_of(found, deployment, areas, surroundings);
+    }
 
     std::vector<WallOpening> known(openings.begin(), first_found);
     known.insert(known.end(), parts.begin(), parts.end());

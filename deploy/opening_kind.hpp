@@ -34,14 +34,13 @@ struct VesselAround {
 /// Tells the mouths of sacs, the ostia of branches and poor ends apart by what lies behind, and
 /// adds the parts of the device that are free of the wall all round.
 ///
-/// The wall is parted along the parent vessel's tube, which `find_openings` states: here with
-/// sections all along the centerline. A triangle lies outside the tube if its centre is more than
-/// 1.2 times as far from the nearest section's hub as the parent there. Triangles outside that
-/// share edges form one region. A node of an opening looks into the region which its ray from the
-/// hub hits; a ray that hits nothing leaves through one of the vessel's openings.
+/// The wall is parted along the parent vessel's tube (`tube_along`) into regions (`wall_regions`),
+/// and sacs from the branches beside them (`part_sacs_from_branches`). A node of an opening looks
+/// into the region which its ray from the hub hits; a ray that hits nothing leaves through one of
+/// the vessel's openings.
 ///
-/// - branch: the region reaches an opening of the vessel at neither end of the centerline, be it
-///   through a sac
+/// - branch: the region reaches an opening of the vessel at neither end of the centerline; a sac
+///   beside it is a region of its own
 /// - end: else, if the opening has nodes in an end ring of the device, so that flow passes around
 ///   it, or its rays leave through the vessel's own inlet or outlet
 /// - sac: else

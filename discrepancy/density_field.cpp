@@ -55,12 +55,12 @@ double force_free_area_of(const BraidSurface& surface)
     return surface.rhombi.front().area * (surface.density_increase.front() + 1.0);
 }
 
-InputError far_place(const DensityPlace& place, const Vec3& point, double distance)
+InputError far_place(const DensityPlace& place, const Vec3& point, double distance, double allowed)
 {
     return InputError(fmt::format(
         "density map, line {}: the place {} lies {:.4g} mm from the simulated device; it must be "
         "in the frame of the measured surface, within {:.3g} mm of the device",
-        place.line, place_text(point), 1e3 * distance, 1e3 * farthest_place));
+        place.line, place_text(point), 1e3 * distance, 1e3 * allowed));
 }
 
 }  // namespace
@@ -72,15 +72,19 @@ DensityField make_density_field(const DensityMap& map, const Imaging& imaging,
     field.quantity = map.quantity;
     if (map.places.empty()) return field;
     field.force_free_area = force_free_area_of(make_braid_surface(base.deployment, base.device));
+    // A real device may be longer than the simulated one, but not twice as long.
+    const double device_length = distal_end(base.deployment) - proximal_end(base.deployment);
     for (const DensityPlace& place : map.places) {
         const Vec3 point = in_vessel_frame(imaging, place.point);
         const SurfaceFoot foot = base.surface.nearest(point);
+        const double distance =
+            foot.is_on_rim ? (point - foot.point).norm() : std::abs(foot.distance);
+        const double allowed = foot.is_on_rim ? device_length : farthest_place;
+        if (distance > allowed) throw far_place(place, point, distance, allowed);
         if (foot.is_on_rim) {
             ++field.num_beyond_ends;
             continue;
         }
-        if (std::abs(foot.distance) > farthest_place)
-            throw far_place(place, point, std::abs(foot.distance));
         field.places.push_back(place);
         field.feet.push_back(foot.point);
     }

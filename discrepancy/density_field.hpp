@@ -25,8 +25,8 @@ struct DensityField {
 
 /// Puts a measured density map on the simulated device.
 /// @param imaging  of the base model
-/// @throws InputError if a place lies more than 2 mm from the device (but beyond its ends), or none
-///         lies over it, with the line of the file
+/// @throws InputError if a place lies more than 2 mm from the device, beyond an end of it more than
+///         the device's length, or none lies over it, with the line of the file
 DensityField make_density_field(const DensityMap& map, const Imaging& imaging,
                                 const Simulation& base);
 

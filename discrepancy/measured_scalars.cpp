@@ -61,6 +61,18 @@ std::optional<MeasuredContactForce> contact_force_of(const TomlTable& table)
     return measured;
 }
 
+/// Places on a centerline of 2 m at most, and forces up to a hundred times that of a stiff device.
+const KeyRanges& scalar_ranges()
+{
+    static const KeyRanges ranges = {
+        {"distal_end", "-2 m", "2 m"},         {"distal_end_sd", "0 mm", "2 m"},
+        {"proximal_end", "-2 m", "2 m"},       {"proximal_end_sd", "0 mm", "2 m"},
+        {"implanted_length", "0 mm", "2 m"},   {"implanted_length_sd", "0 mm", "2 m"},
+        {"contact_force", "0 N", "1000 N"},    {"contact_force_sd", "0 N", "1000 N"},
+        {"contact_force_from", "-2 m", "2 m"}, {"contact_force_to", "-2 m", "2 m"}};
+    return ranges;
+}
+
 }  // namespace
 
 MeasuredScalars read_measured_scalars(const TomlTable& table, const Centerline& centerline)
@@ -78,6 +90,7 @@ MeasuredScalars read_measured_scalars(const TomlTable& table, const Centerline& 
     }
     scalars.contact_force = contact_force_of(table);
     table.finish();
+    table.require_ranges(scalar_ranges());
     return scalars;
 }
 

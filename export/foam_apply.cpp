@@ -5,7 +5,6 @@
 #include "export/foam_device.hpp"
 #include "export/foam_field.hpp"
 #include "export/foam_inspection.hpp"
-#include "export/foam_neck.hpp"
 #include "export/foam_report.hpp"
 #include "export/foam_sac.hpp"
 #include "export/foam_sac_zones.hpp"
@@ -35,8 +34,7 @@ void append(std::vector<Item>& list, const std::vector<Item>& more)
 /// Zones that a call writes and the next one replaces.
 bool is_device_zone(const std::string& name)
 {
-    return name == per_cell_zone || name.starts_with("FD_") || name == sac_cells_zone ||
-           name == sac_neck_zone || name == sac_wall_zone;
+    return name == per_cell_zone || name.starts_with("FD_") || is_sac_zone(name);
 }
 
 /// Those of the mesh, then those of the device.
@@ -51,13 +49,13 @@ std::vector<Zone> merged(std::vector<Zone> zones, const std::vector<Zone>& devic
 /// @param staging  where they are written
 /// @return the files, relative to the case
 std::vector<fs::path> write_zones(const fs::path& foam_case, const fs::path& staging,
-                                  const FoamDevice& device, const FoamSacZones& of_sac)
+                                  const FoamDevice& device, const FoamSacZones& of_sacs)
 {
     std::vector<FoamCellZone> cells = device.cell_zones;
-    append(cells, of_sac.cells);
+    append(cells, of_sacs.cells);
     write_cell_zones(staging, merged(read_cell_zones(foam_case), cells));
     std::vector<FoamFaceZone> faces = device.face_zones;
-    append(faces, of_sac.faces);
+    append(faces, of_sacs.faces);
     const std::vector<FoamFaceZone> mesh_faces = read_face_zones(foam_case);
     const fs::path folder = fs::path("constant") / "polyMesh";
     if (mesh_faces.empty() && faces.empty()) return {folder / "cellZones"};
@@ -175,8 +173,8 @@ FoamApplication apply_to_foam_case(const fs::path& foam_case, const ResistanceSh
     const CellResistance resistance = deposit(sheet, mesh, options.deposit);
     const FoamDevice device = make_foam_device(
         sheet, resistance, mesh, {options.form, options.most_zones, options.shear_thinning});
-    const std::vector<int> sac = find_sac(resistance, mesh);
-    const FoamSacZones of_sac = sac_zones(sac, mesh);
+    const std::vector<std::vector<int>> sacs = find_sacs(resistance, mesh);
+    const FoamSacZones of_sacs = sac_zones(sacs, mesh);
 
     FoamApplication result;
     result.num_cells = mesh.num_cells();
@@ -184,7 +182,8 @@ FoamApplication apply_to_foam_case(const fs::path& foam_case, const ResistanceSh
     result.num_zones = static_cast<int>(device.zones.size() + device.baffles.size());
     result.integral_sheet = resistance_integral(sheet);
     result.integral_mesh = device.integral;
-    if (!sac.empty()) result.sac_volume = volume_of(sac, mesh);
+    for (const std::vector<int>& sac : sacs)
+        result.sac_volumes.push_back(volume_of(sac, mesh));
     result.warnings = resistance.warnings;
     append(result.warnings, device.notes);
     for (const auto& warning :
@@ -195,14 +194,14 @@ FoamApplication apply_to_foam_case(const fs::path& foam_case, const ResistanceSh
     FoamUpdate update(foam_case);
     const fs::path& staging = update.staging();
     prepare_staging(foam_case, staging);
-    append(result.files, write_zones(foam_case, staging, device, of_sac));
+    append(result.files, write_zones(foam_case, staging, device, of_sacs));
     append(result.files, write_porous_sources(staging, device.sources));
     append(result.files, write_directed_fields(staging, device.fields, resistance, mesh,
                                                sheet.fluid.viscosity / sheet.fluid.density));
     const std::string baffles = device.baffles.empty() ? "" : baffle_dict(device.baffles);
     append(result.files, write_unless_empty(staging, "system/fdBaffles", baffles));
     append(result.files,
-           write_unless_empty(staging, "system/fdFunctions", device.functions + of_sac.functions));
+           write_unless_empty(staging, "system/fdFunctions", device.functions + of_sacs.functions));
     append(result.files, write_inspection_fields(staging, mesh, resistance, device.zones));
     result.files.emplace_back("fd_export.json");
     write_text_file(staging / "fd_export.json",

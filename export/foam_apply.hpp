@@ -4,7 +4,6 @@
 #include "export/foam_resistance.hpp"
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +24,7 @@ struct FoamApplication {
     int num_zones = 0;                         ///< FD_0000, ...
     double integral_sheet = 0.0;               ///< Darcy integral over the sheet [m]
     double integral_mesh = 0.0;                ///< the same, of what was written [m]
-    std::optional<double> sac_volume;          ///< of cell zone "sac" [m^3]; see `find_sac`
+    std::vector<double> sac_volumes;           ///< of cell zones "sac", "sac_2", ... [m^3]
     std::vector<std::filesystem::path> files;  ///< written, relative to the case
     std::vector<std::string> warnings;
 };
@@ -33,14 +32,13 @@ struct FoamApplication {
 /// Applies the device to an existing OpenFOAM mesh: `braidzone export CASE.toml --onto FOAM_CASE`.
 ///
 /// Reads constant/polyMesh, deposits the sheet, and writes
-/// - constant/polyMesh/cellZones: the zones of the form (FD_*, FD) and, where the device closes off
-/// a
-///   sac, "sac"; zones of the mesh are kept, those of an earlier call replaced
-/// - constant/polyMesh/faceZones, alike: the sac's neck and wall, and with `baffles` FD_*
+/// - constant/polyMesh/cellZones: the zones of the form (FD_*, FD) and the sacs that the device
+///   closes off (`find_sacs`, `sac_names`); zones of the mesh are kept, those of an earlier call
+///   replaced
+/// - constant/polyMesh/faceZones, alike: each sac's neck and wall, and with `baffles` FD_*
 /// - constant/fdPorosity: the resistance, included by constant/fvOptions and constant/fvModels
-/// - system/fdFunctions: function objects that the form needs, and those for the flow in the sac;
-/// to
-///   be included in controlDict (`functions { #includeIfPresent "fdFunctions" }`)
+/// - system/fdFunctions: function objects that the form needs, and those for the flow in the sacs;
+///   to be included in controlDict (`functions { #includeIfPresent "fdFunctions" }`)
 /// - 0/fdDarcy, fdForchheimer, fdNormal, fdVoidFraction, fdSurfaceDensity, fdZone: for inspection;
 ///   no solver reads them
 /// - with `per_cell`: 0/fdNuD_*, which the solver reads

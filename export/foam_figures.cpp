@@ -1,9 +1,10 @@
 #include "export/foam_figures.hpp"
 
 #include "export/foam_function.hpp"
-#include "export/foam_neck.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace braidzone {
 
@@ -75,17 +76,40 @@ percent()
     }'
 }
 
-with_neck=$(value . neckFlow)
-without_neck=$(value without_device neckFlow)
+# both NAME UNIT FACTOR FUNCTION
+both() { row "$1" "$2" "$3" "$(value . "$4")" "$(value without_device "$4")"; }
+
+# sac_rows ADDITION SPEED NECK_FLOW WALL_SHEAR
+sac_rows()
 {
-    echo "quantity,unit,without_device,with_device,reduction_percent"
-    row "inflow through the neck" "mL/s" 0.5e6 "$with_neck" "$without_neck"
-    row "inflow through the neck" "% of the parent flow" 1 \
+    with_neck=$(value . "$3")
+    without_neck=$(value without_device "$3")
+    row "inflow through the neck$1" "mL/s" 0.5e6 "$with_neck" "$without_neck"
+    row "inflow through the neck$1" "% of the parent flow" 1 \
         "$(percent "$with_neck" "$(value . inletFlow)")" \
         "$(percent "$without_neck" "$(value without_device inletFlow)")"
-    row "mean speed in the sac" "mm/s" 1e3 "$(value . sacSpeed)" "$(value without_device sacSpeed)"
-    row "mean wall shear stress in the sac" "Pa" "$density" \
-        "$(value . sacWallShear)" "$(value without_device sacWallShear)"
+    both "mean speed in the sac$1" "mm/s" 1e3 "$2"
+    both "mean wall shear stress in the sac$1" "Pa" "$density" "$4"
+}
+
+# has FUNCTION: it was calculated, with or without the device
+has() { [ -d "postProcessing/$1" ] || [ -d "without_device/postProcessing/$1" ]; }
+
+{
+    echo "quantity,unit,without_device,with_device,reduction_percent"
+    if has sacSpeed; then sac_rows "" sacSpeed neckFlow sacWallShear; fi
+    number=2
+    while has "sac_${number}Speed"; do
+        sac_rows " $number" "sac_${number}Speed" "sac_${number}NeckFlow" "sac_${number}WallShear"
+        number=$((number + 1))
+    done
+    if has outlet_2Flow; then
+        number=1
+        while has "outlet_${number}Flow"; do
+            both "flow out of outlet_$number" "mL/s" 1e6 "outlet_${number}Flow"
+            number=$((number + 1))
+        done
+    fi
 } > flow_figures.csv
 
 awk -F , '
@@ -98,31 +122,46 @@ awk -F , '
 
 }  // namespace
 
-std::string figure_functions(const SacFaces& faces)
+SacNames sac_names(std::size_t number)
 {
-    std::string text =
-        "// Mean speed in the cell zone \"sac\" [m/s]: postProcessing/sacSpeed/.\n" +
-        magnitude_function("speed", "U") +
-        value_function({"sacSpeed", "volFieldValue", "cellZone", "sac", "volAverage", "mag(U)"});
-    if (faces.neck)
-        text +=
-            "// Sum of |flow rate| over the neck, twice the inflow [m^3/s]: "
-            "postProcessing/neckFlow/.\n" +
-            value_function(
-                {"neckFlow", "surfaceFieldValue", "faceZone", sac_neck_zone, "sumMag", "phi"});
-    if (faces.wall)
-        text +=
-            "// Mean wall shear stress of the sac over rho [m^2/s^2]: "
-            "postProcessing/sacWallShear/.\n"
-            "wallShearStress\n{\n"
-            "    type            wallShearStress;\n"
-            "    libs            (\"libfieldFunctionObjects.so\");\n"
-            "    writeControl    writeTime;\n"
-            "    log             no;\n"
-            "}\n" +
-            magnitude_function("wallShear", "wallShearStress") +
-            value_function({"sacWallShear", "surfaceFieldValue", "faceZone", sac_wall_zone,
-                            "areaAverage", "mag(wallShearStress)"});
+    if (number == 0) return {"sac", "sac_neck", "sac_wall", "sacSpeed", "neckFlow", "sacWallShear"};
+    const std::string sac = fmt::format("sac_{}", number + 1);
+    return {sac, sac + "_neck", sac + "_wall", sac + "Speed", sac + "NeckFlow", sac + "WallShear"};
+}
+
+std::string figure_functions(const std::vector<SacFigures>& sacs)
+{
+    if (sacs.empty()) return "";
+    std::string text = "// Mean speed in each sac [m/s]: postProcessing/sacSpeed/.\n" +
+                       magnitude_function("speed", "U");
+    for (const SacFigures& sac : sacs)
+        text += value_function({sac.names.speed, "volFieldValue", "cellZone", sac.names.cells,
+                                "volAverage", "mag(U)"});
+    text +=
+        "// Sum of |flow rate| over each neck, twice the inflow [m^3/s]: "
+        "postProcessing/neckFlow/.\n";
+    for (const SacFigures& sac : sacs) {
+        if (sac.has_neck)
+            text += value_function({sac.names.neck_flow, "surfaceFieldValue", "faceZone",
+                                    sac.names.neck, "sumMag", "phi"});
+    }
+    const auto has_wall = [](const SacFigures& sac) { return sac.has_wall; };
+    if (std::none_of(sacs.begin(), sacs.end(), has_wall)) return text;
+    text +=
+        "// Mean wall shear stress of each sac over rho [m^2/s^2]: "
+        "postProcessing/sacWallShear/.\n"
+        "wallShearStress\n{\n"
+        "    type            wallShearStress;\n"
+        "    libs            (\"libfieldFunctionObjects.so\");\n"
+        "    writeControl    writeTime;\n"
+        "    log             no;\n"
+        "}\n" +
+        magnitude_function("wallShear", "wallShearStress");
+    for (const SacFigures& sac : sacs) {
+        if (sac.has_wall)
+            text += value_function({sac.names.wall_shear, "surfaceFieldValue", "faceZone",
+                                    sac.names.wall, "areaAverage", "mag(wallShearStress)"});
+    }
     return text;
 }
 

@@ -14,10 +14,10 @@ std::vector<char> is_in(const std::vector<int>& cells, const FoamMesh& mesh)
 
 }  // namespace
 
-FoamFaceZone sac_neck(const std::vector<int>& sac, const FoamMesh& mesh)
+FoamFaceZone sac_neck(const std::string& name, const std::vector<int>& sac, const FoamMesh& mesh)
 {
     const std::vector<char> in_sac = is_in(sac, mesh);
-    FoamFaceZone zone{sac_neck_zone, {}, {}};
+    FoamFaceZone zone{name, {}, {}};
     for (std::size_t face = 0; face < mesh.neighbour.size(); ++face) {
         const char owner = in_sac[static_cast<std::size_t>(mesh.owner[face])];
         const char neighbour = in_sac[static_cast<std::size_t>(mesh.neighbour[face])];
@@ -28,10 +28,10 @@ FoamFaceZone sac_neck(const std::vector<int>& sac, const FoamMesh& mesh)
     return zone;
 }
 
-FoamFaceZone sac_wall(const std::vector<int>& sac, const FoamMesh& mesh)
+FoamFaceZone sac_wall(const std::string& name, const std::vector<int>& sac, const FoamMesh& mesh)
 {
     const std::vector<char> in_sac = is_in(sac, mesh);
-    FoamFaceZone zone{sac_wall_zone, {}, {}};
+    FoamFaceZone zone{name, {}, {}};
     for (const FoamPatch& patch : mesh.patches) {
         if (patch.type != "wall") continue;
         for (int face = patch.start_face; face < patch.start_face + patch.num_faces; ++face) {

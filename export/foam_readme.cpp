@@ -32,14 +32,15 @@ moved. OpenFOAM itself needs no plug-in and nothing compiled.
 | `constant/triSurface/device.stl` | the part of the device that meets flow, for refinement |
 | `constant/fdPorosity` | the resistance: Darcy-Forchheimer sources on cell zones |
 | `constant/fvOptions`, `fvModels` | include it; the latter is openfoam.org's name |
-| `constant/polyMesh/cellZones` | the zones; `sac`: the cells that the device closes off |
-| `constant/polyMesh/faceZones` | `sac_neck`: the faces between the sac and all other cells; `sac_wall`: its wall |
+| `constant/polyMesh/cellZones` | the zones; `sac`: the cells that the device closes off; further sacs are `sac_2`, ... |
+| `constant/polyMesh/faceZones` | `sac_neck`: the faces between the sac and all other cells; `sac_wall`: its wall; `sac_2_neck`, ... |
 | `0/fdDarcy`, `fdForchheimer`, `fdNormal`, `fdVoidFraction`, `fdSurfaceDensity`, `fdZone` | the device in the cells, to look at |
 | `fd_export.json` | units, zones, and the sum over cells against the integral over the device |
 | `flow_figures.csv` | the figures with and without the device, and the reductions |
 | `postProcessing/neckFlow` | sum of \|flow rate\| over `sac_neck` [m^3/s]: twice the inflow |
 | `postProcessing/sacSpeed` | mean speed in the sac [m/s] |
 | `postProcessing/sacWallShear` | mean wall shear stress on `sac_wall` over the density [m^2/s^2] |
+| `postProcessing/sac_2NeckFlow`, `sac_2Speed`, `sac_2WallShear`, ... | the same of further sacs |
 | `postProcessing/inletPressure` | mean kinematic pressure at the inlet [m^2/s^2] |
 | `postProcessing/inletFlow`, `outlet_1Flow`, ... | flow rates out of the vessel [m^3/s] |
 

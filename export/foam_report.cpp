@@ -81,7 +81,10 @@ std::string foam_report(const FoamApplication& result, const FoamDevice& device,
         result.integral_sheet > 0.0 ? result.integral_mesh / result.integral_sheet - 1.0 : 0.0;
     json["cells_across"] = resistance.cells_across;
     json["thin_layer_error"] = thin_layer_errors(resistance.cells_across, sheet);
-    json["sac_volume"] = result.sac_volume ? quantity(*result.sac_volume, "m^3") : Json(nullptr);
+    // Of the largest sac, and of all.
+    json["sac_volume"] =
+        result.sac_volumes.empty() ? Json(nullptr) : quantity(result.sac_volumes.front(), "m^3");
+    json["sac_volumes"] = {{"value", result.sac_volumes}, {"unit", "m^3"}};
     json["zones"] = groups(device);
     json["warnings"] = result.warnings;
     return json.dump(2) + "\n";

@@ -2,6 +2,9 @@
 
 #include "export/foam_cell_search.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 namespace braidzone {
 
 namespace {
@@ -16,7 +19,7 @@ constexpr int resistant = -2;
 
 }  // namespace
 
-std::vector<int> find_sac(const CellResistance& resistance, const FoamMesh& mesh)
+std::vector<std::vector<int>> find_sacs(const CellResistance& resistance, const FoamMesh& mesh)
 {
     if (resistance.cells.empty()) return {};
     const auto neighbours = cell_neighbours(mesh);
@@ -54,14 +57,23 @@ std::vector<int> find_sac(const CellResistance& resistance, const FoamMesh& mesh
     double resistant_volume = 0.0;
     for (const int cell : resistance.cells)
         resistant_volume += mesh.cell_volumes[static_cast<std::size_t>(cell)];
-    std::vector<int> sac;
+    std::vector<int> order(parts.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::erase_if(order, [&](int part) {
+        const Part& behind = parts[static_cast<std::size_t>(part)];
+        return behind.is_open || behind.volume < 0.25 * resistant_volume;
+    });
+    std::stable_sort(order.begin(), order.end(), [&](int first, int second) {
+        return parts[static_cast<std::size_t>(first)].volume >
+               parts[static_cast<std::size_t>(second)].volume;
+    });
+    std::vector<std::vector<int>> sacs(order.size());
     for (std::size_t cell = 0; cell < part_of.size(); ++cell) {
-        if (part_of[cell] == resistant) continue;
-        const Part& part = parts[static_cast<std::size_t>(part_of[cell])];
-        if (!part.is_open && part.volume >= 0.25 * resistant_volume)
-            sac.push_back(static_cast<int>(cell));
+        const auto found = std::find(order.begin(), order.end(), part_of[cell]);
+        if (found != order.end())
+            sacs[static_cast<std::size_t>(found - order.begin())].push_back(static_cast<int>(cell));
     }
-    return sac;
+    return sacs;
 }
 
 }  // namespace braidzone

@@ -228,11 +228,9 @@ if [ "$without" ]; then
     fi
     solve without_device .without_device
 fi
-if [ -f system/fdFunctions ]; then
-    ./flow_figures
-else
+[ -f system/fdFunctions ] ||
     echo "Allrun: the device closes no sac off; there are no figures of one"
-fi
+./flow_figures
 )sh";
 
 }  // namespace

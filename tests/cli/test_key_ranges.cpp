@@ -1,5 +1,7 @@
 #include "cli/case_file.hpp"
 #include "cli/key_ranges.hpp"
+#include "cli/press_file.hpp"
+#include "cli/pressure_file.hpp"
 #include "core/error.hpp"
 #include "support/case_texts.hpp"
 #include "support/temporary_folder.hpp"
@@ -8,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 namespace braidzone {
 namespace {
@@ -31,6 +34,107 @@ std::string refusal_of(const std::string& override_text)
         return error.what();
     }
     return "accepted";
+}
+
+/// A file of tables: the lines of each by its name.
+class TomlText {
+public:
+    explicit TomlText(std::vector<std::pair<std::string, std::vector<std::string>>> tables)
+        : tables_(std::move(tables))
+    {
+    }
+
+    /// The file with a key set to a value, in place of the line that sets it, if there is one.
+    std::string with(const std::string& key, const std::string& value) const
+    {
+        const std::string table = key.substr(0, key.rfind('.'));
+        const std::string leaf = key.substr(key.rfind('.') + 1);
+        auto tables = tables_;
+        const auto is_it = [&](const auto& each) { return each.first == table; };
+        auto found = std::find_if(tables.begin(), tables.end(), is_it);
+        if (found == tables.end()) found = tables.insert(found, {table, {}});
+        std::erase_if(found->second,
+                      [&](const std::string& line) { return line.starts_with(leaf + " "); });
+        found->second.push_back(leaf + " = " + value);
+        std::string text;
+        for (const auto& [name, lines] : tables) {
+            const bool is_array =
+                name == "export" || name.ends_with("push_pull") || name == "vessel.openings";
+            text += is_array ? "[[" + name + "]]\n" : "[" + name + "]\n";
+            for (const std::string& line : lines)
+                text += line + "\n";
+        }
+        return text;
+    }
+
+private:
+    std::vector<std::pair<std::string, std::vector<std::string>>> tables_;
+};
+
+/// Values that no range holds, in the unit in which the range is stated: the first integers that
+/// a double does not hold, the largest of 64 bits and the next one, and what overflows in SI.
+std::vector<std::string> impossible_values(const KeyRange& range)
+{
+    const std::size_t space = range.highest.find(' ');
+    std::vector<std::string> values;
+    for (const std::string number :
+         {"9007199254740993", "-9007199254740993", "99999999999999999", "9223372036854775807",
+          "9223372036854775808", "1e308", "-1e308"}) {
+        values.push_back(space == std::string::npos
+                             ? number
+                             : "\"" + number + range.highest.substr(space) + "\"");
+    }
+    return values;
+}
+
+template <typename Read>
+void expect_all_refused(const KeyRanges& ranges, const TomlText& file, const Read& read)
+{
+    const test::TemporaryFolder folder;
+    for (const KeyRange& range : ranges) {
+        for (const std::string& value : impossible_values(range)) {
+            const auto path = folder.write("file.toml", file.with(range.key, value));
+            std::string refusal = "accepted";
+            try {
+                read(path);
+            } catch (const ConfigError& error) {
+                refusal = error.what();
+            }
+            EXPECT_THAT(refusal, HasSubstr(range.key.substr(range.key.rfind('.') + 1)))
+                << range.key << " = " << value;
+        }
+    }
+}
+
+const std::pair<std::string, std::vector<std::string>> device_table = {
+    "device",
+    {"name = \"pipeline-flex\"", "diameter = \"4 mm\"", "length = \"20 mm\"", "any_size = true"}};
+
+// Every numeric key that a file may have, by the list that reading holds it to: a key without a
+// range cannot be read at all (`TomlTable::require_ranges`).
+TEST(KeyRanges, EveryKeyOfACaseRefusesWhatNoDoubleHolds)
+{
+    for (const std::string format : {"openfoam", "lattice", "surfaces", "vtk"}) {
+        const TomlText file({{"vessel", {"surface = \"vessel.stl\"", "length_unit = \"mm\""}},
+                             device_table,
+                             {"deployment", {"landing_distal = \"18 mm\""}},
+                             {"export", {"format = \"" + format + "\""}}});
+        expect_all_refused(case_key_ranges(), file,
+                           [](const std::filesystem::path& path) { read_case(path, {}); });
+    }
+}
+
+TEST(KeyRanges, EveryKeyOfAPressTestRefusesWhatNoDoubleHolds)
+{
+    expect_all_refused(press_key_ranges(), TomlText({device_table}),
+                       [](const std::filesystem::path& path) { read_press_file(path, {}); });
+}
+
+TEST(KeyRanges, EveryKeyOfABenchRefusesWhatNoDoubleHolds)
+{
+    const TomlText file({device_table, {"porous", {"law = \"braid-stokes\""}}});
+    expect_all_refused(pressure_key_ranges(), file,
+                       [](const std::filesystem::path& path) { read_pressure_file(path, {}); });
 }
 
 // Each plain number of a case: integers that no double holds, and numbers beyond any meaning. A

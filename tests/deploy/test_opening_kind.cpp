@@ -130,6 +130,25 @@ TEST(ToldApart, KnowsABranchThatIsCutShort)
     EXPECT_EQ(kinds_of(kinds(phantom, 24e-3, 18e-3)), Kinds{branch});
 }
 
+// A branch rises from the wall beside the neck, so that mouth and ostium run into each other: the
+// sac's neck still counts, with its own nodes. The sac's middle lies 4.3 mm from the axis, the
+// branch leaves 3 mm further on at 60 degrees, away from the sac.
+TEST(ToldApart, KnowsASacWhoseMouthRunsIntoABranch)
+{
+    Phantom alone = straight_vessel(0.3e-3);
+    alone.sacs = {sac_at(13e-3)};
+    const std::vector<WallOpening> neck = kinds(alone, 24e-3, 20e-3);
+    ASSERT_EQ(kinds_of(neck), Kinds{sac});
+    Phantom both = alone;
+    both.branches = {branch_at(15e-3, 1.0e-3, 9e-3)};
+    both.branches[0].direction = 0.0;
+    both.branches[0].tilt = pi / 3.0;
+    const std::vector<WallOpening> openings = kinds(both, 24e-3, 20e-3);
+    ASSERT_EQ(kinds_of(openings), (Kinds{sac, branch}));
+    EXPECT_NEAR(openings[0].area, neck[0].area, 0.25 * neck[0].area);
+    EXPECT_EQ(openings[1].vessel_openings, std::vector<int>{2});
+}
+
 // The branch's ostium is larger than the sac's mouth, and the sac still comes first.
 TEST(ToldApart, PutsSacsBeforeBranches)
 {

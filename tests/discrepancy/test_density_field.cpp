@@ -130,4 +130,11 @@ TEST(DensityField, RefusesWhatDoesNotLieOverTheDevice)
     EXPECT_TRUE(make_density_field({}, {}, straight()).places.empty());
 }
 
+// The device ends at 15 mm and is 15 mm long.
+TEST(DensityField, RefusesPlacesFarBeyondTheEnds)
+{
+    EXPECT_THAT(refusal({.places = {place_at(radius, 7e-3), place_at(radius, 31e-3)}}),
+                testing::HasSubstr("line 2: the place (2, 0, 31) mm lies"));
+}
+
 }  // namespace braidzone

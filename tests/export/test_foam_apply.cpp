@@ -68,8 +68,8 @@ TEST_F(ApplyToFoamCase, WritesZonesWhoseIntegralIsTheSheets)
 TEST_F(ApplyToFoamCase, FindsTheSacAndReportsItsSpeed)
 {
     const FoamApplication applied = apply_to_foam_case(folder_.path(), sheet_at(1.23e-3));
-    ASSERT_TRUE(applied.sac_volume.has_value());
-    EXPECT_NEAR(*applied.sac_volume, 4e-6 * 1.5e-3, 1e-14);
+    ASSERT_EQ(applied.sac_volumes.size(), 1U);
+    EXPECT_NEAR(applied.sac_volumes[0], 4e-6 * 1.5e-3, 1e-14);
     EXPECT_EQ(read_cell_zones(folder_.path()).back().name, "sac");
     EXPECT_NE(text_of(folder_.path() / "system/fdFunctions").find("volFieldValue"),
               std::string::npos);
@@ -91,7 +91,7 @@ TEST_F(ApplyToFoamCase, ReplacesWhatItWroteBefore)
         acting = 0.0;
     const FoamApplication applied = apply_to_foam_case(folder_.path(), sheet);
     EXPECT_EQ(applied.num_zones, 0);
-    EXPECT_FALSE(applied.sac_volume.has_value());
+    EXPECT_TRUE(applied.sac_volumes.empty());
     EXPECT_TRUE(read_cell_zones(folder_.path()).empty());
     EXPECT_TRUE(read_face_zones(folder_.path()).empty());
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "system/fdFunctions"));

@@ -29,11 +29,11 @@ TEST(SacNeck, IsTurnedIntoTheSac)
         lower.push_back(cell);
         upper.push_back(18 + cell);
     }
-    const FoamFaceZone below = sac_neck(upper, mesh);
+    const FoamFaceZone below = sac_neck("neck", upper, mesh);
     EXPECT_EQ(below.faces.size(), 9U);
     EXPECT_LT((area(below, mesh) - Vec3(0, 0, 9)).norm(), 1e-12);
-    EXPECT_LT((area(sac_neck(lower, mesh), mesh) - Vec3(0, 0, -9)).norm(), 1e-12);
-    EXPECT_TRUE(sac_neck({}, mesh).faces.empty());
+    EXPECT_LT((area(sac_neck("neck", lower, mesh), mesh) - Vec3(0, 0, -9)).norm(), 1e-12);
+    EXPECT_TRUE(sac_neck("neck", {}, mesh).faces.empty());
 }
 
 // The upper layer has its roof and the sides in y on the patch "wall"; those in x are openings.
@@ -43,7 +43,7 @@ TEST(SacWall, LeavesOpeningsOut)
     std::vector<int> upper;
     for (int cell = 18; cell < 27; ++cell)
         upper.push_back(cell);
-    const FoamFaceZone wall = sac_wall(upper, mesh);
+    const FoamFaceZone wall = sac_wall("wall", upper, mesh);
     EXPECT_EQ(wall.faces.size(), 9U + 3U + 3U);
     EXPECT_LT((area(wall, mesh) - Vec3(0, 0, 9)).norm(), 1e-12);
     EXPECT_EQ(wall.flipped, std::vector<int>(15, 0));

@@ -35,10 +35,31 @@ FoamMesh vessel_with_sac(double open_height)
 TEST(FindSac, IsWhatTheDeviceClosesOff)
 {
     const FoamMesh mesh = vessel_with_sac(3);
-    const auto sac = find_sac(layer_of(mesh, 3.0, 4.0), mesh);
+    const auto sacs = find_sacs(layer_of(mesh, 3.0, 4.0), mesh);
+    ASSERT_EQ(sacs.size(), 1U);
+    const std::vector<int>& sac = sacs.front();
     ASSERT_EQ(sac.size(), 8U * 4U * 6U);  // layers 4 to 9
     for (const int cell : sac)
         EXPECT_GT(mesh.cell_centres[static_cast<std::size_t>(cell)].z(), 4.0);
+}
+
+// Layers 0 and 1, and 5 to 9, on both sides of a vessel of two layers between two sheets.
+TEST(FindSac, TellsTwoSacsApartTheLargerFirst)
+{
+    FoamMesh mesh = test::foam_box({8, 4, 10}, 1.0);
+    for (FoamPatch& patch : mesh.patches) {
+        if (patch.type != "patch") continue;
+        patch.start_face += 4 * 3;
+        patch.num_faces = 4;
+    }
+    CellResistance resistance = layer_of(mesh, 2.0, 3.0);
+    const CellResistance upper = layer_of(mesh, 4.0, 5.0);
+    resistance.cells.insert(resistance.cells.end(), upper.cells.begin(), upper.cells.end());
+    const auto sacs = find_sacs(resistance, mesh);
+    ASSERT_EQ(sacs.size(), 2U);
+    EXPECT_EQ(sacs[0].size(), 8U * 4U * 5U);
+    EXPECT_EQ(sacs[1].size(), 8U * 4U * 2U);
+    EXPECT_EQ(sacs[1].front(), 0);
 }
 
 TEST(FindSac, NoneIfFlowGoesAroundTheDevice)
@@ -46,26 +67,26 @@ TEST(FindSac, NoneIfFlowGoesAroundTheDevice)
     const FoamMesh mesh = vessel_with_sac(3);
     CellResistance resistance = layer_of(mesh, 3.0, 4.0);
     resistance.cells.erase(resistance.cells.begin());
-    EXPECT_TRUE(find_sac(resistance, mesh).empty());
+    EXPECT_TRUE(find_sacs(resistance, mesh).empty());
 }
 
 // As a branch behind the device: the openings reach above it.
 TEST(FindSac, NoneIfAnOpeningLiesBehindTheDevice)
 {
     const FoamMesh mesh = vessel_with_sac(10);
-    EXPECT_TRUE(find_sac(layer_of(mesh, 3.0, 4.0), mesh).empty());
+    EXPECT_TRUE(find_sacs(layer_of(mesh, 3.0, 4.0), mesh).empty());
 }
 
 // A pocket of one layer behind a sheet of six layers has a sixth of its volume.
 TEST(FindSac, SmallPocketsAreNoSac)
 {
     const FoamMesh mesh = vessel_with_sac(3);
-    EXPECT_TRUE(find_sac(layer_of(mesh, 3.0, 9.0), mesh).empty());
+    EXPECT_TRUE(find_sacs(layer_of(mesh, 3.0, 9.0), mesh).empty());
 }
 
 TEST(FindSac, NoneWithoutResistance)
 {
-    EXPECT_TRUE(find_sac(CellResistance{}, vessel_with_sac(3)).empty());
+    EXPECT_TRUE(find_sacs(CellResistance{}, vessel_with_sac(3)).empty());
 }
 
 }  // namespace

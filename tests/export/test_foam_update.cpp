@@ -1,5 +1,6 @@
 #include "core/error.hpp"
 #include "export/foam_update.hpp"
+#include "support/folder_contents.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,6 @@
 #include <csignal>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <string>
 
@@ -17,19 +17,6 @@ namespace braidzone {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// All files of a folder, by their names, and its folders.
-std::map<std::string, std::string> contents(const fs::path& folder)
-{
-    std::map<std::string, std::string> all;
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        std::ifstream stream(entry.path(), std::ios::binary);
-        all[entry.path().lexically_relative(folder).string()] =
-            entry.is_directory() ? "folder"
-                                 : std::string(std::istreambuf_iterator<char>(stream), {});
-    }
-    return all;
-}
 
 /// A case with a device, of which a file is replaced, one is new, one goes, and one is of the user.
 class UpdatedCase : public testing::Test {
@@ -69,7 +56,7 @@ protected:
         ::waitpid(child, nullptr, 0);
     }
 
-    std::map<std::string, std::string> now() const { return contents(folder_.path()); }
+    std::map<std::string, std::string> now() const { return test::folder_contents(folder_.path()); }
 
     test::TemporaryFolder folder_;
     const std::map<std::string, std::string> updated_ = {
@@ -149,7 +136,7 @@ TEST_F(UpdatedCase, ChangesTheFileThatALinkNames)
     fs::create_symlink(elsewhere.path() / "options", folder_.path() / "constant/fvOptions");
     update();
     EXPECT_TRUE(fs::is_symlink(folder_.path() / "constant/fvOptions"));
-    EXPECT_EQ(contents(elsewhere.path())["options"], "new");
+    EXPECT_EQ(test::folder_contents(elsewhere.path())["options"], "new");
 }
 
 // /dev/shm is a file system of its own.
@@ -161,17 +148,17 @@ TEST_F(UpdatedCase, ReachesOtherFileSystems)
     fs::copy(folder_.path() / "constant", shm / "constant");
     fs::remove_all(folder_.path() / "constant");
     fs::create_directory_symlink(shm / "constant", folder_.path() / "constant");
-    const auto before = contents(shm);
+    const auto before = test::folder_contents(shm);
     int steps = 0;
     EXPECT_THROW(update([&] {
                      if (steps++ == 4) throw IoError("no");
                  }),
                  IoError);
-    EXPECT_EQ(contents(shm), before);
+    EXPECT_EQ(test::folder_contents(shm), before);
     update_killed_before(4);
     restore_foam_case(folder_.path());
     update();
-    auto after = contents(shm);
+    auto after = test::folder_contents(shm);
     EXPECT_EQ(after["constant/fdPorosity"], "new");
     EXPECT_EQ(after["constant/fvOptions"], "new");
     EXPECT_EQ(after.size(), 3U);

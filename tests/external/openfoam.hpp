@@ -135,7 +135,7 @@ inline std::map<std::string, std::array<double, 3>> figures(const std::filesyste
         for (std::size_t i = 0; i < 3; ++i)
             values[i] = csv_number(fields[i + 2]).value_or(std::nan(""));
     }
-    EXPECT_EQ(all.size(), 4U);
+    EXPECT_GE(all.size(), 4U);
     return all;
 }
 

@@ -41,7 +41,7 @@ void write_case(const std::filesystem::path& folder, const FoamFlow& flow)
     const auto sheet =
         test::flat_sheet(2, Vec3(0, 0, vessel_height + 0.8e-3), size[0] * cell, size[1] * cell);
     const FoamApplication applied = apply_to_foam_case(folder, sheet);
-    ASSERT_TRUE(applied.sac_volume.has_value());
+    ASSERT_EQ(applied.sac_volumes.size(), 1U);
 }
 
 constexpr const char* neck_inflow = "inflow through the neck [mL/s]";

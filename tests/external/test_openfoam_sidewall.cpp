@@ -90,6 +90,18 @@ TEST(OpenFoamSidewall, DeviceSlowsTheFlowInTheSac)
     const double exact_speed = test::last_row(foam / speed_file).at(1);
     std::printf("%.4g m/s with the resistance of every cell\n", exact_speed);
     EXPECT_NEAR(speed / exact_speed, 1.0, 0.02);
+
+    // What the solver wrote survives the next run into the same folder.
+    const auto solved = test::latest_time(foam).lexically_relative(output) / "U";
+    const std::string velocities = test::file_text(output / solved);
+    ASSERT_TRUE(test::run_in(
+        temporary.path(),
+        "'" BRAIDZONE_PROGRAM "' porous '" + case_file + "' --output '" + output.string() + "'",
+        "log.porous"));
+    EXPECT_EQ(test::file_text(temporary.path() / "out.kept-1" / solved), velocities);
+    EXPECT_NE(test::file_text(temporary.path() / "log.porous").find("out.kept-1"),
+              std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(foam));
 }
 
 }  // namespace
