@@ -69,13 +69,13 @@ TEST(AppositionNotes, NameTheGapAndTheSizeThatFits)
 }
 
 // 3.6 mm: R / R0 = 0.9, L / L0 = sqrt(0.4^2 + 1 - 0.81) / 0.4 = 1.479. The arms at nominal spacing
-// are shortened from sqrt(0.4^2 + 1) to sqrt(0.4^2 + 0.81) dR0, by 8.6 %.
+// are shortened from sqrt(0.4^2 + 1) to sqrt(0.4^2 + 0.81) dR0, by 8.56 %.
 TEST(AppositionNotes, NameTheLengthThatWiresOfConstantLengthGive)
 {
     const TriangleMesh tube = test::tube(1.8e-3, vessel_length, 96, 160);
     const Centerline line = test::tube_centerline(1.8e-3, vessel_length);
     EXPECT_THAT(notes_of(tube, line),
-                ElementsAre(AllOf(HasSubstr("the wires are 8.5"), HasSubstr("% shorter"),
+                ElementsAre(AllOf(HasSubstr("the wires are 8.6 %"), HasSubstr("% shorter"),
                                   HasSubstr("about 29.6 mm long, not 20 mm"))));
     // Where the spacing is the operator's the sentence ends before.
     EXPECT_THAT(notes_of(tube, line, {.windows = {{10e-3, 14e-3, 0.95}}}),

@@ -48,10 +48,10 @@ protected:
         for (const bool force : {false, true}) {
             if (force) words.emplace_back("--force");
             const test::Program program(words, streams_.path());
-            EXPECT_EQ(program.wait(), 2)
-                << words.front() << " into " << output << ": " << program.out() << program.err();
-            EXPECT_THAT(program.err(), testing::HasSubstr(fs::path(file(output)).string()))
-                << words.front();
+            // 2 for a folder that is or holds an input, 5 for a file where a folder is to be.
+            EXPECT_THAT(program.wait(), testing::AnyOf(2, 5))
+                << words.front() << " into " << output;
+            EXPECT_THAT(program.err(), testing::StartsWith("braidzone: output ")) << words.front();
             EXPECT_EQ(test::folder_contents(inputs_.path()), before) << words.front();
         }
     }
@@ -73,7 +73,7 @@ TEST_F(OutputsAndInputs, OfDiagnosesStayApart)
                            file("measured/points.csv")};
     for (const char* output : {"measured", "measured/points.csv", ".", "case.toml"})
         expect_refused(surface, output);
-    const Words pressure = {"diagnose", file("bench/bench.toml"), "--measured",
+    const Words pressure = {"diagnose", file("bench/bench.toml"), "--pressure-drop",
                             file("bench/measured.csv")};
     for (const char* output : {"bench", "bench/measured.csv", "."})
         expect_refused(pressure, output);
