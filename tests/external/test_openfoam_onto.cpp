@@ -91,7 +91,9 @@ protected:
     /// OpenFOAM's own check of the mesh and its zones, and one iteration with the device.
     static bool is_solved(const fs::path& folder)
     {
-        return test::run_in(folder, "sed -i 's/^endTime .*/endTime 1;/' system/controlDict",
+        return test::run_in(folder,
+                            "sed -i -e 's/^endTime .*/endTime 1;/' "
+                            "-e 's/^writeInterval .*/writeInterval 1;/' system/controlDict",
                             "log.sed") &&
                test::run_in(folder, "checkMesh", "log.checkMesh") &&
                test::file_text(folder / "log.checkMesh").find("Mesh OK") != std::string::npos &&
