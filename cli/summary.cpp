@@ -233,6 +233,7 @@ std::vector<std::string> warnings(const Case& job, const Chain& chain)
         }
     }
     add(chain.vessel.notes);
+    add(chain.centerline_notes);
     add(unit_slip_notes(job, chain.centerline));
     add(inversion_notes(chain.deployment, job.vessel.unit));
     if (chain.second) add(inversion_notes(chain.second->deployment, job.vessel.unit));
