@@ -104,15 +104,17 @@ VesselSource read_vessel(const TomlTable& table)
 
     if (vessel.from.has_value() != vessel.to.has_value()) {
         throw ConfigError(
-            fmt::format("{} is given without its counterpart; a computed centerline "
-                        "needs vessel.from and vessel.to",
+            fmt::format("{} is given without its counterpart; needed are "
+                        "vessel.from and vessel.to",
                         table.where(vessel.from ? "from" : "to")));
     }
-    if (vessel.centerline && vessel.from) {
-        throw ConfigError(
-            fmt::format("{} is for a computed centerline, but vessel.centerline "
-                        "names a file; keep one of them",
-                        table.where("from")));
+    for (const std::string key : {"centerline_line", "reverse_centerline"}) {
+        if (vessel.from && table.has(key)) {
+            throw ConfigError(
+                fmt::format("{} and vessel.from both tell which line is meant and "
+                            "where it begins; keep one of them",
+                            table.where(key)));
+        }
     }
     for (const std::string key : {"centerline_line", "reverse_centerline"}) {
         if (!vessel.centerline && table.has(key)) {

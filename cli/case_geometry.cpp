@@ -3,6 +3,8 @@
 #include "core/centerline_compute.hpp"
 #include "core/centerline_io.hpp"
 #include "core/error.hpp"
+#include "core/line_order.hpp"
+#include "core/place_text.hpp"
 #include "core/surface_io.hpp"
 #include "core/wall_offset.hpp"
 
@@ -33,19 +35,78 @@ std::optional<VesselEnds> given_points(const VesselSource& source)
     return VesselEnds{*from, *to};
 }
 
-Polyline read_given_centerline(const VesselSource& source, const Vessel& vessel,
-                               const WallTree& wall)
+/// The lines of a case's centerline file, each in order.
+struct LinesOfFile {
+    std::vector<Polyline> lines;
+    std::vector<std::string> notes;
+};
+
+LinesOfFile read_lines(const VesselSource& source)
 {
-    Polyline line = read_centerline(*source.centerline, vessel.unit, source.centerline_line);
-    if (source.reverse_centerline) {
-        std::reverse(line.points.begin(), line.points.end());
-        std::reverse(line.inscribed_radii.begin(), line.inscribed_radii.end());
+    LinesOfFile file;
+    int number = 0;
+    for (const Polyline& line : read_centerlines(*source.centerline, source.unit)) {
+        OrderedLine ordered = in_evident_order(line);
+        if (ordered.num_misplaced > 0) {
+            file.notes.push_back(fmt::format(
+                "{} of the {} points of the centerline's line {} were not in the order in which "
+                "they lie along the vessel, and have been put there",
+                ordered.num_misplaced, line.points.size(), number));
+        }
+        file.lines.push_back(std::move(ordered.line));
+        ++number;
     }
-    if (source.wall_offset != 0.0) line.inscribed_radii.clear();  // those of the wall as it was
+    return file;
+}
+
+/// The opening that an end of a given centerline stands for.
+std::optional<int> opening_of(const std::optional<CenterlineEnd>& end, const char* key,
+                              const Vessel& vessel)
+{
+    if (!end) return std::nullopt;
+    if (const int* number = std::get_if<int>(&*end)) {
+        end_point(*end, vessel);  // refuses a number that no opening has
+        return *number;
+    }
+    const Vec3& point = std::get<Vec3>(*end);
+    const int nearest = nearest_opening(vessel, point);
+    const Opening& opening = vessel.openings[static_cast<std::size_t>(nearest)];
+    if ((point - opening.centre).norm() <= 2.0 * opening.radius) return nearest;
+    throw ConfigError(fmt::format(
+        "{} = {} lies at none of the vessel's openings, between which a centerline from a file "
+        "runs; they are\n{}",
+        key, place_text(point, vessel.unit), describe_openings(vessel)));
+}
+
+GivenCenterline read_given_centerline(const VesselSource& source, const Vessel& vessel,
+                                      const WallTree& wall)
+{
+    const LineChoice choice{.line = source.centerline_line,
+                            .from = opening_of(source.from, "vessel.from", vessel),
+                            .to = opening_of(source.to, "vessel.to", vessel),
+                            .reverse = source.reverse_centerline};
+    LinesOfFile file = read_lines(source);
+    if (source.wall_offset != 0.0) {  // radii are those of the wall as it was
+        for (Polyline& line : file.lines)
+            line.inscribed_radii.clear();
+    }
+    GivenCenterline given = given_centerline(file.lines, vessel, wall, choice);
+    given.notes.insert(given.notes.begin(), file.notes.begin(), file.notes.end());
+    return given;
+}
+
+/// What `call` returns; errors of its shapes name the file.
+template <typename Call>
+auto with_file_name(const std::filesystem::path& file, const Call& call)
+{
     try {
-        return with_inscribed_radii(line, wall);
+        return call();
     } catch (const GeometryError& error) {
-        throw GeometryError(fmt::format("{}: {}", source.centerline->string(), error.what()));
+        throw GeometryError(fmt::format("{}: {}", file.string(), error.what()));
+    } catch (const ConfigError& error) {
+        throw ConfigError(fmt::format("{}: {}", file.string(), error.what()));
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", file.string(), error.what()));
     }
 }
 
@@ -70,8 +131,10 @@ Vessel read_vessel(const VesselSource& source)
     VesselOptions options{
         .repair = source.repair, .ends = given_points(source), .orders = source.openings};
     if (source.centerline) {
-        options.lines.push_back(
-            read_centerline(*source.centerline, source.unit, source.centerline_line).points);
+        const LinesOfFile file =
+            with_file_name(*source.centerline, [&] { return read_lines(source); });
+        for (const Polyline& line : file.lines)
+            options.lines.push_back(line.points);
     }
     try {
         Vessel vessel = make_vessel(surface, source.unit, options);
@@ -82,17 +145,22 @@ Vessel read_vessel(const VesselSource& source)
     }
 }
 
-Polyline find_centerline(const VesselSource& source, const Vessel& vessel, const WallTree& wall)
+GivenCenterline find_centerline(const VesselSource& source, const Vessel& vessel,
+                                const WallTree& wall)
 {
-    if (source.centerline) return read_given_centerline(source, vessel, wall);
+    if (source.centerline) {
+        return with_file_name(*source.centerline,
+                              [&] { return read_given_centerline(source, vessel, wall); });
+    }
     if (!source.from && vessel.openings.size() != 2) {
         throw ConfigError(
             fmt::format("the vessel has {} openings, so vessel.from and vessel.to must "
                         "tell between which ones the centerline runs:\n{}",
                         vessel.openings.size(), describe_openings(vessel)));
     }
-    return compute_centerline(vessel, wall, end_point(source.from.value_or(0), vessel),
-                              end_point(source.to.value_or(1), vessel));
+    return {compute_centerline(vessel, wall, end_point(source.from.value_or(0), vessel),
+                               end_point(source.to.value_or(1), vessel)),
+            {}};
 }
 
 double arc_length_at(const PlaceOnCenterline& place, const Centerline& centerline)

@@ -2,6 +2,7 @@
 
 #include "cli/case_file.hpp"
 #include "core/centerline.hpp"
+#include "core/given_centerline.hpp"
 #include "core/vessel.hpp"
 #include "core/wall_tree.hpp"
 
@@ -13,12 +14,13 @@ namespace braidzone {
 /// @throws what `read_surface` and `make_vessel` throw, with the file's name
 Vessel read_vessel(const VesselSource& source);
 
-/// The centerline of a case, proximal end first: read from its file, or computed between the ends
-/// that the case names, or between the two openings of a vessel that has two.
+/// The centerline of a case, proximal end first: from its file (`given_centerline`), or computed
+/// between the ends that the case names, or between the two openings of a vessel that has two.
 /// @throws ConfigError if an end is no opening of the vessel, or no ends are named and the vessel
-///         has not two openings; else what `read_centerline`, `with_inscribed_radii` and
-///         `compute_centerline` throw
-Polyline find_centerline(const VesselSource& source, const Vessel& vessel, const WallTree& wall);
+///         has not two openings; else what `read_centerlines`, `in_evident_order`,
+///         `given_centerline` and `compute_centerline` throw
+GivenCenterline find_centerline(const VesselSource& source, const Vessel& vessel,
+                                const WallTree& wall);
 
 /// Arc length of a place [m].
 double arc_length_at(const PlaceOnCenterline& place, const Centerline& centerline);

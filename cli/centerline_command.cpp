@@ -85,7 +85,7 @@ void write_centerline_of(const CenterlineCommand& command, const CommonOptions& 
     const Vessel vessel = read_vessel(source);
     const WallTree wall(vessel);
     progress.begin("centerline", "computing the centerline");
-    const Polyline centerline = find_centerline(source, vessel, wall);
+    const Polyline centerline = find_centerline(source, vessel, wall).line;
     progress.end();
     write_centerline(unfinished, centerline, source.unit);
     files.commit();

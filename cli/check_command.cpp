@@ -209,6 +209,7 @@ void check_case(const std::filesystem::path& case_file, const CommonOptions& opt
 
     print_vessel(job, chain.vessel);
     print_centerline(job, chain.centerline, chain.vessel);
+    print_notes(chain.centerline_notes);
     print_device("device", job.device, job.device_notes);
     print_landing(chain.deployment, job.schedule);
     print_openings(chain.deployment, chain.openings);

@@ -46,7 +46,7 @@ Lumen lumen_of(const Case& job)
     source.wall_offset = 0.0;
     Vessel vessel = read_vessel(source);
     WallTree wall(vessel);
-    Centerline centerline = resample(find_centerline(source, vessel, wall));
+    Centerline centerline = resample(find_centerline(source, vessel, wall).line);
     return {std::move(vessel), std::move(wall), std::move(centerline)};
 }
 

@@ -74,7 +74,8 @@ Chain run_chain(const Case& job, Stage last, Progress& progress)
     Vessel given = read_vessel(job.vessel);
     WallTree given_wall(given);
     progress.begin("centerline", "finding the centerline");
-    const Centerline given_line = resample(find_centerline(job.vessel, given, given_wall));
+    GivenCenterline found = find_centerline(job.vessel, given, given_wall);
+    const Centerline given_line = resample(found.line);
     // Places are given on the vessel as its file has it.
     const auto landing = [&](const PlaceOnCenterline& place) {
         return arc_length_at(place, given_line);
@@ -113,7 +114,8 @@ Chain run_chain(const Case& job, Stage last, Progress& progress)
     progress.end();
     return {std::move(vessel),     std::move(wall),       std::move(centerline),
             std::move(deployment), std::move(openings),   std::move(sheet),
-            std::move(second),     std::move(resistance), std::move(field)};
+            std::move(second),     std::move(resistance), std::move(field),
+            std::move(found.notes)};
 }
 
 int inlet_of(const Chain& chain)

@@ -11,6 +11,7 @@
 #include "porous/resistance_sheet.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace braidzone {
@@ -34,8 +35,9 @@ struct Chain {
     std::vector<WallOpening> openings;  ///< as `told_apart` sorts them, the neck first
     ResistanceSheet sheet;              ///< of the device; this and the next empty after `check`
     std::optional<SecondDeployment> second;
-    ResistanceSheet resistance;        ///< of all devices
-    std::optional<PorousField> field;  ///< absent if the chain ends before
+    ResistanceSheet resistance;                 ///< of all devices
+    std::optional<PorousField> field;           ///< absent if the chain ends before
+    std::vector<std::string> centerline_notes;  ///< what was changed of a given centerline
 };
 
 /// Deploys the device of a case, measures its braid, and applies the resistance law:

@@ -233,6 +233,7 @@ std::vector<std::string> warnings(const Case& job, const Chain& chain)
         }
     }
     add(chain.vessel.notes);
+    add(chain.centerline_notes);
     add(chain_notes(job, chain));
     if (job.neck && chain.openings.front().nodes.empty()) {
         all.push_back(fmt::format(

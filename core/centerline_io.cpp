@@ -103,32 +103,19 @@ std::vector<std::vector<vtkIdType>> joined_lines(vtkPolyData& data, const fs::pa
     return lines;
 }
 
-const std::vector<vtkIdType>& chosen_line(const std::vector<std::vector<vtkIdType>>& lines,
-                                          int line, const fs::path& path)
+std::vector<Polyline> read_vtk(vtkPolyData& data, const fs::path& path)
 {
-    const int num_lines = static_cast<int>(lines.size());
-    if (num_lines == 0) throw InputError(fmt::format("{}: holds no line", path.string()));
-    if (line == -1 && num_lines > 1) {
-        throw InputError(fmt::format("{}: holds {} lines; say which one, 0 to {}", path.string(),
-                                     num_lines, num_lines - 1));
-    }
-    if (!(line >= -1 && line < num_lines)) {
-        throw InputError(fmt::format("{}: line {} is wanted; the file has lines 0 to {}",
-                                     path.string(), line, num_lines - 1));
-    }
-    return lines[static_cast<std::size_t>(std::max(line, 0))];
-}
-
-Polyline read_vtk(vtkPolyData& data, const fs::path& path, int line)
-{
-    const auto lines = joined_lines(data, path);
     vtkDataArray* radii = data.GetPointData()->GetArray(radius_array);
-    Polyline polyline;
-    for (const vtkIdType point : chosen_line(lines, line, path)) {
-        polyline.points.emplace_back(data.GetPoint(point));
-        if (radii != nullptr) polyline.inscribed_radii.push_back(radii->GetTuple1(point));
+    std::vector<Polyline> lines;
+    for (const std::vector<vtkIdType>& points : joined_lines(data, path)) {
+        Polyline& line = lines.emplace_back();
+        for (const vtkIdType point : points) {
+            line.points.emplace_back(data.GetPoint(point));
+            if (radii != nullptr) line.inscribed_radii.push_back(radii->GetTuple1(point));
+        }
     }
-    return polyline;
+    if (lines.empty()) throw InputError(fmt::format("{}: holds no line", path.string()));
+    return lines;
 }
 
 std::vector<std::string> cells_of(const std::string& row)
@@ -224,12 +211,12 @@ Polyline read_csv(const fs::path& path)
     return polyline;
 }
 
-Polyline read_in_file_unit(const fs::path& path, int line)
+std::vector<Polyline> read_in_file_unit(const fs::path& path)
 {
     const std::string ending = lower_case(path.extension().string());
     if (ending == ".vtp") {
         const auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
-        return read_vtk(*poly_data(*reader, path), path, line);
+        return read_vtk(*poly_data(*reader, path), path);
     }
     if (ending == ".vtk") {
         const auto reader = vtkSmartPointer<vtkPolyDataReader>::New();
@@ -241,15 +228,9 @@ Polyline read_in_file_unit(const fs::path& path, int line)
                                              path.string()));
             }
         }
-        return read_vtk(*poly_data(*reader, path), path, line);
+        return read_vtk(*poly_data(*reader, path), path);
     }
-    if (ending == ".csv") {
-        if (line > 0) {
-            throw InputError(fmt::format("{}: line {} is wanted; a CSV file holds one line, 0",
-                                         path.string(), line));
-        }
-        return read_csv(path);
-    }
+    if (ending == ".csv") return {read_csv(path)};
     throw InputError(
         fmt::format("{}: ending \"{}\" is not .vtp, .vtk or .csv", path.string(), ending));
 }
@@ -271,16 +252,33 @@ void require_finite(const Polyline& polyline, const fs::path& path)
 
 }  // namespace
 
-Polyline read_centerline(const fs::path& path, const LengthUnit& unit, int line)
+std::vector<Polyline> read_centerlines(const fs::path& path, const LengthUnit& unit)
 {
     require_file(path);
-    Polyline polyline = read_in_file_unit(path, line);
-    require_finite(polyline, path);
-    for (Vec3& point : polyline.points)
-        point *= unit.metres;
-    for (double& radius : polyline.inscribed_radii)
-        radius *= unit.metres;
-    return polyline;
+    std::vector<Polyline> lines = read_in_file_unit(path);
+    for (Polyline& line : lines) {
+        require_finite(line, path);
+        for (Vec3& point : line.points)
+            point *= unit.metres;
+        for (double& radius : line.inscribed_radii)
+            radius *= unit.metres;
+    }
+    return lines;
+}
+
+Polyline read_centerline(const fs::path& path, const LengthUnit& unit, int line)
+{
+    std::vector<Polyline> lines = read_centerlines(path, unit);
+    const int num_lines = static_cast<int>(lines.size());
+    if (line == -1 && num_lines > 1) {
+        throw InputError(fmt::format("{}: holds {} lines; say which one, 0 to {}", path.string(),
+                                     num_lines, num_lines - 1));
+    }
+    if (!(line >= -1 && line < num_lines)) {
+        throw InputError(fmt::format("{}: line {} is wanted; the file has lines 0 to {}",
+                                     path.string(), line, num_lines - 1));
+    }
+    return std::move(lines[static_cast<std::size_t>(std::max(line, 0))]);
 }
 
 void write_centerline(const fs::path& path, const Polyline& polyline, const LengthUnit& unit)

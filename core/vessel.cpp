@@ -1,6 +1,8 @@
 #include "core/vessel.hpp"
 
 #include "core/error.hpp"
+#include "core/line_frame.hpp"
+#include "core/line_network.hpp"
 #include "core/lumen_behind.hpp"
 #include "core/mesh_topology.hpp"
 #include "core/near_points.hpp"
@@ -333,14 +335,23 @@ private:
         if (options_.lines.empty()) return;
         const bool is_closed = vessel_.openings.size() < 2;
         const WallTree wall(vessel_);
+        std::vector<Polyline> lines;
+        for (const std::vector<Vec3>& points : options_.lines)
+            lines.push_back({points, {}});
+        if (is_closed) require_same_frame(lines, vessel_, wall);
+        // One line alone may say where a closed vessel is to be cut; of several some may end
+        // anywhere.
+        const bool is_trusted = is_closed && lines.size() == 1;
         std::vector<RoundedEnd> ends;
-        if (!is_closed) ends = closed_ends();
+        if (!is_trusted) ends = closed_ends();
+        const LineNetwork network(lines);
         std::vector<LumenEnd> cuts;
         for (std::vector<Vec3> line : options_.lines) {
             for (int side = 0; side < 2; ++side, std::reverse(line.begin(), line.end())) {
+                if (!network.ends_at(line.back()) || is_open_at(line.back())) continue;
                 const std::optional<LumenEnd> cut = end_of_line(line, wall);
-                if (!cut || is_open_at(line.back()) || is_among(*cut, cuts)) continue;
-                if (is_closed || is_at_rounded_end(*cut, ends)) cuts.push_back(*cut);
+                if (!cut || is_among(*cut, cuts)) continue;
+                if (is_trusted || is_at_rounded_end(*cut, ends)) cuts.push_back(*cut);
             }
         }
         if (cuts.empty()) return;

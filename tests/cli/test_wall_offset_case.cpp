@@ -49,7 +49,7 @@ public:
     Polyline line() const
     {
         const Vessel vessel = read_vessel(source);
-        return find_centerline(source, vessel, WallTree(vessel));
+        return find_centerline(source, vessel, WallTree(vessel)).line;
     }
 
     VesselSource source;
