@@ -160,6 +160,12 @@ void print_resistance(const Case& job)
     }
 }
 
+void print_notes(const std::vector<std::string>& notes)
+{
+    for (const std::string& note : notes)
+        fmt::print("  note: {}\n", note);
+}
+
 /// The flow of the OpenFOAM case, opening by opening.
 void print_flow(const FoamFlow& flow, const Chain& chain)
 {
@@ -219,8 +225,7 @@ void check_case(const std::filesystem::path& case_file, const CommonOptions& opt
         print_openings(chain.second->deployment, chain.second->openings);
     }
     print_resistance(job);
-    for (const std::string& note : chain_notes(job, chain))
-        fmt::print("  note: {}\n", note);
+    print_notes(chain_notes(job, chain));
     if (job.exports.openfoam) print_flow(job.exports.openfoam->flow, chain);
     if (job.rheology) fmt::print("  note: {}\n", rheology_note(job.fluid));
     const BraidLattice& lattice = chain.deployment.lattice;
