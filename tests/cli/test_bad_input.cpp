@@ -525,7 +525,10 @@ const std::vector<BadInput> bad_inputs = {
      3,
      {"vessel.stl", "finite"}},
     {"mesh_closed_without_caps",
-     [](Workplace& work) { work.use_mesh(sphere(5e-3)); },
+     [](Workplace& work) {
+         work.use_mesh(sphere(5e-3));
+         work.replace("centerline = \"centerline.vtp\"", "");
+     },
      3,
      {"vessel.stl", "caps"}},
     {"mesh_non_manifold",
@@ -559,7 +562,7 @@ const std::vector<BadInput> bad_inputs = {
          work.replace("centerline.vtp", "line.csv");
      },
      3,
-     {"line.csv", "outside"}},
+     {"line.csv", "lies off the vessel"}},
     {"landing_zone_off_the_vessel",
      change("\"23 mm\"", "\"100 mm\""),
      3,
