@@ -10,37 +10,30 @@
 
 namespace braidzone {
 
-/// Radii at which the nodes of a ring would rest in the vessel [m], in 48 directions from the
-/// normal of the cross-section to its binormal and on: min(wall distance along the ray, R0), from
-/// the origin of the cross-section, in its plane.
+/// Radius at which a ring would rest in the vessel [m]:
+///
+///     R_local = mean over directions of min(wall distance along the ray, R0)
+///
+/// from the origin of the cross-section, in its plane.
 /// @param nominal_radius  R0 [m]
-std::vector<double> resting_radii(const CrossSection& section, const WallTree& wall,
-                                  double nominal_radius);
+double resting_radius(const CrossSection& section, const WallTree& wall, double nominal_radius);
 
-/// Ring spacing at which the wires keep their length in the vessel, as a table along the
-/// centerline. With r(phi) the `resting_radii`, an arm of the braid at a spacing L spans
+/// Ring spacing at which the braid is free of force in the vessel, as a table along the centerline:
 ///
-///     a = L d/ds (hub + r e_r)  +-  (pi r / n) e_phi
+///     lambda(s) = length_ratio(t, R_local(s) / R0) = sqrt(1 + (1 - (R_local / R0)^2) / t^2)
 ///
-/// and lambda(s) = L / dL0 is where the mean of |a| over phi and both wires is that of the
-/// force-free device, sqrt(dL0^2 + dR0^2). In a straight tube
-///
-///     lambda = length_ratio(t, r / R0) = sqrt(1 + (1 - (r / R0)^2) / t^2)
-///
-/// so that a braid which may slide while it is released lengthens where the vessel holds it
-/// narrower than nominal: 1.3 times for 10 % less diameter of a 4 mm Pipeline. In a bend of
-/// curvature kappa the arms outside grow by more than those inside shrink, by (dR^2 / l^3) L^2
-/// (kappa r)^2 / 4 on average, and rings lie closer: by 12 % on the centerline in a bend as tight
-/// as the vessel is wide. Planes that would cross are tilted (`ring_planes.hpp`).
+/// A braid that may slide while it is released lengthens by this much where the vessel holds it
+/// narrower than nominal: 1.3 times for 10 % less diameter of a 4 mm Pipeline. Curvature does not
+/// count: arms along the outside of a bend would grow by more than those inside shrink, but what
+/// grows leaves the wall there, and both together keep the wires' length and the network's within 1
+/// % (tests/verification/bends).
 ///
 /// The table has points every nominal ring spacing from the distal end down to where the device
 /// must have ended: exact in a straight tube, of second order in the ring spacing where the radius
-/// changes (`ring_positions` integrates a piecewise linear table exactly). Changes of the radius
-/// along the vessel do not count for an arm's length.
+/// changes (`ring_positions` integrates a piecewise linear table exactly).
 ///
-/// With a flare R0 in r is the widest radius of the device, and lambda falls below 1 where the
-/// vessel is wider than nominal. lambda is never below what leaves the wires apart
-/// (`wire_jam.hpp`).
+/// With a flare R0 in R_local is the widest radius of the device, and lambda falls below 1 where
+/// the vessel is wider than nominal.
 ///
 /// @param schedule        its windows, which multiply the spacing, decide how far down to look
 /// @param landing_distal  arc length of the distal end [m]

@@ -24,7 +24,8 @@ struct Bend {
     double bend_ratio = 2.0;         ///< radius of the bend over that of the vessel
     double angle = 0.5 * std::numbers::pi;
     double device_ratio = 1.1;  ///< nominal diameter over the vessel's
-    double straight = 16e-3;    ///< before and behind the bend [m]
+    int num_wires = 48;
+    double straight = 16e-3;  ///< before and behind the bend [m]
     bool force_free = false;
     bool axially_free = false;  ///< the network of wires, else rings locked in their planes
     double friction = infinite_friction;
@@ -51,6 +52,7 @@ struct BendOutcome {
 inline FlowDiverter device_for(const Bend& bend)
 {
     FlowDiverter device = pipeline(2.0 * bend.vessel_radius * bend.device_ratio, 14e-3);
+    device.num_wires = bend.num_wires;
     device.forces = ForceSource::wire_theory;
     device.youngs_modulus = 200e9;
     return device;

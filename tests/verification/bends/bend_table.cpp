@@ -1,7 +1,9 @@
 // Tables of devices in single bends. See README.md beside it.
 //
-//     bend_table sweep      rings locked in their planes, nominal and force-free
-//     bend_table network    six bends, beside the network of wires that slide along the vessel
+//     bend_table sweep              rings locked in their planes, nominal and force-free
+//     bend_table network RATIO...   beside the network of wires that slide along the vessel, in
+//     bends
+//                                   of these radii over the vessel's
 
 #include "verification/bends/bend.hpp"
 
@@ -10,6 +12,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace braidzone::test {
 namespace {
@@ -17,7 +20,7 @@ namespace {
 std::string line_of(const Bend& bend, const BendOutcome& outcome)
 {
     const std::string model = bend.axially_free
-                                  ? (bend.friction > 0.0 ? "network, stuck" : "network")
+                                  ? (bend.friction > 0.0 ? "network, sticks" : "network, slides")
                                   : (bend.force_free ? "force-free" : "nominal");
     std::string line = fmt::format("| {:.2f} | {:.0f} | {:.2f} | {} |", bend.bend_ratio,
                                    bend.angle * 180.0 / std::numbers::pi, bend.device_ratio, model);
@@ -60,16 +63,19 @@ void print_sweep()
     }
 }
 
-void print_network()
+void print_network(const std::vector<double>& bend_ratios)
 {
-    for (const double bend_ratio : {1.0, 1.1, 1.25, 1.5, 2.0, 3.0}) {
-        Bend bend{.bend_ratio = bend_ratio, .device_ratio = 1.08};
+    for (const double bend_ratio : bend_ratios) {
+        // Half the wires, since the network takes a hundred times as long as rays.
+        Bend bend{.bend_ratio = bend_ratio, .device_ratio = 1.08, .num_wires = 24};
         bend.force_free = true;
         print(bend);
         bend.force_free = false;
         bend.axially_free = true;
-        bend.friction = 0.0;
-        print(bend);
+        for (const double friction : {0.0, infinite_friction}) {
+            bend.friction = friction;
+            print(bend);
+        }
     }
 }
 
@@ -78,15 +84,19 @@ void print_network()
 
 int main(int argc, char** argv)
 {
-    const std::string wanted = argc == 2 ? argv[1] : "";
+    const std::string wanted = argc > 1 ? argv[1] : "";
     if (wanted != "sweep" && wanted != "network") {
-        std::cerr << "bend_table sweep | network\n";
+        std::cerr << "bend_table sweep | network RATIO...\n";
         return 2;
     }
     braidzone::test::print_header();
-    if (wanted == "sweep")
+    if (wanted == "sweep") {
         braidzone::test::print_sweep();
-    else
-        braidzone::test::print_network();
+        return EXIT_SUCCESS;
+    }
+    std::vector<double> ratios;
+    for (int i = 2; i < argc; ++i)
+        ratios.push_back(std::stod(argv[i]));
+    braidzone::test::print_network(ratios);
     return EXIT_SUCCESS;
 }
