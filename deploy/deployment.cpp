@@ -10,11 +10,14 @@
 #include "deploy/release_spacing.hpp"
 #include "deploy/resting_shape.hpp"
 #include "deploy/ring_centring.hpp"
+#include "deploy/ring_planes.hpp"
 #include "deploy/spring_forces.hpp"
 #include "deploy/wall_contact.hpp"
+#include "deploy/wire_jam.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace braidzone {
 
@@ -27,6 +30,11 @@ constexpr double contact_offset_ratio = 5e-4;
 /// How far the wall is looked for along a ray, over the nominal radius. No braid opens beyond
 /// R0 sqrt(1 + t^2), 1.14 R0 for the steepest of the library; the rest is room for the swing.
 constexpr double reach_ratio = 2.0;
+
+/// Width over which the wall's stop of a node passes into that of its jammed wires, over the
+/// nominal radius: where both are at the same place the node stops 10 um before them for a 4 mm
+/// device, less than a wire's radius.
+constexpr double jam_rounding_ratio = 0.02;
 
 /// Steps between two samples of `Deployment::residual_history`.
 constexpr int residual_interval = 25;
@@ -51,6 +59,9 @@ CrimpedBraid lay_out_rings(const FlowDiverter& device, const BraidLattice& latti
                              : sections_at(centerline, positions);
     if (options.hub_shift > 0.0)
         shift_hubs(rings, positions, wall, lattice.nominal_radius, options.hub_shift);
+    rings = uncrossed_rings(
+        std::move(rings), wall, lattice.nominal_radius,
+        std::vector<double>(positions.size() - 1, least_plane_gap(device, lattice)));
     const std::vector<double> turns = ring_turns(twists, lattice, positions);
     return crimp(twisted(lattice, turns), rings, 0.5 * device.catheter_diameter, turns);
 }
@@ -60,6 +71,20 @@ std::vector<double> stops_in_vessel(const CrimpedBraid& braid, const WallTree& w
     const double nominal_radius = braid.lattice.nominal_radius;
     return wall_stops(braid, wall, reach_ratio * nominal_radius,
                       contact_offset_ratio * nominal_radius);
+}
+
+/// Where nodes stop: at the wall, or before it where their wires jam.
+std::vector<double> stops_of(const std::vector<double>& wall_stops, const CrimpedBraid& braid,
+                             const FlowDiverter& device)
+{
+    const std::vector<double> jam = jam_stops(braid, least_ring_spacing(device, braid.lattice));
+    std::vector<double> stops;
+    for (std::size_t i = 0; i < jam.size(); ++i) {
+        stops.push_back(std::max(
+            braid.radius,
+            nearer_stop(wall_stops[i], jam[i], jam_rounding_ratio * braid.lattice.nominal_radius)));
+    }
+    return stops;
 }
 
 /// A braid at rest, forces in newtons.
@@ -226,9 +251,9 @@ Deployment as_it_is(const CrimpedBraid& braid, const RestingBraid& rest, const W
 /// the wall between coarse nodes is set on the wall, along its ray.
 Deployment laid_onto(const Deployment& coarse, const RestingBraid& rest,
                      const LatticeMapping& mapping, const CrimpedBraid& crossings,
-                     const WallTree& wall, double wire_diameter)
+                     const WallTree& wall, const FlowDiverter& device)
 {
-    const std::vector<double> stops = stops_in_vessel(crossings, wall);
+    const std::vector<double> stops = stops_of(stops_in_vessel(crossings, wall), crossings, device);
     std::vector<double> displacement = carried_over(mapping, rest.wall_displacement);
     const auto radii_of = [&](const std::vector<double>& coarse_radii) {
         std::vector<double> radii = carried_over(mapping, coarse_radii);
@@ -241,7 +266,7 @@ Deployment laid_onto(const Deployment& coarse, const RestingBraid& rest,
         displacement[i] = std::max(0.0, radii[i] - stops[i]);
 
     Deployment result;
-    set_shape(result, crossings, radii, displacement, wall, wire_diameter);
+    set_shape(result, crossings, radii, displacement, wall, device.wire_diameter);
     set_contact_force(
         result,
         carried_over_forces(mapping, coarse.contact_force, node_areas(coarse.lattice, coarse.nodes),
@@ -275,8 +300,9 @@ Deployment deploy(const FlowDiverter& device, const Centerline& centerline, cons
     const SpringCoefficients coefficients =
         spring_coefficients(device, lattice, options.bending_ratio);
     const std::vector<double> wall_stops = stops_in_vessel(crimped, wall);
-    WallSupport support{narrowed_stops(schedule.incomplete_openings, wall_stops, lattice, positions,
-                                       device.braid_ratio, crimped.radius)};
+    WallSupport support{stops_of(narrowed_stops(schedule.incomplete_openings, wall_stops, lattice,
+                                                positions, device.braid_ratio, crimped.radius),
+                                 crimped, device)};
     const bool is_compliant = std::isfinite(options.wall_stiffness);
     if (is_compliant) {
         support.stiffness = wall_stiffnesses(crimped, wall_stops,
@@ -295,7 +321,7 @@ Deployment deploy(const FlowDiverter& device, const Centerline& centerline, cons
         result = laid_onto(
             result, rest, mapping,
             lay_out_rings(device, crossings, positions, schedule.twists, centerline, wall, options),
-            wall, device.wire_diameter);
+            wall, device);
     }
     result.ring_arc_length = positions;
     result.residual_history = rest.residual_history;

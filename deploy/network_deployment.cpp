@@ -7,13 +7,16 @@
 #include "deploy/plane_release.hpp"
 #include "deploy/release_spacing.hpp"
 #include "deploy/ring_centring.hpp"
+#include "deploy/ring_planes.hpp"
 #include "deploy/spring_forces.hpp"
+#include "deploy/wire_jam.hpp"
 #include "deploy/wire_theory.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace braidzone {
 
@@ -129,6 +132,9 @@ ReleasedNetwork release(const WireNetwork& network, const FlowDiverter& device,
         for (double position : positions)
             rings.push_back(section_at(centerline, position));
     }
+    rings = uncrossed_rings(
+        std::move(rings), wall, network.lattice.nominal_radius,
+        std::vector<double>(positions.size() - 1, least_plane_gap(device, network.lattice)));
     const CrimpedBraid crimped = crimp(network.lattice, rings, catheter_radius);
     require_room_for_catheter(crimped, positions, wall);
     return release_in_planes(network, crimped, positions, options.release_order, wall, common);

@@ -2,6 +2,7 @@
 
 #include "deploy/braid_kinematics.hpp"
 #include "deploy/ring_centring.hpp"
+#include "deploy/wire_jam.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,49 @@ double furthest_end(const FlowDiverter& device, const Centerline& centerline,
         position = std::max(0.0, position - centerline.spacing);
     }
     return position;
+}
+
+/// Where the schedule wants the rings, jammed or not [m].
+std::vector<double> wanted_positions(const FlowDiverter& device, const BraidLattice& lattice,
+                                     const Centerline& centerline, const WallTree& wall,
+                                     const ReleaseSchedule& schedule, double landing_distal,
+                                     bool centred)
+{
+    std::vector<double> nominal;
+    for (int ring = 0; ring + 1 < lattice.num_rings; ++ring)
+        nominal.push_back(lattice.gap_spacing(ring));
+    if (schedule.sliding == 0.0) return ring_positions(schedule, landing_distal, nominal);
+
+    ReleaseSchedule held = schedule;
+    held.table =
+        force_free_spacing(device, lattice, centerline, wall, schedule, landing_distal, centred);
+    if (lattice.gap_spacings.empty()) {
+        for (SpacingPoint& point : held.table)
+            point.spacing = std::lerp(1.0, point.spacing, schedule.sliding);
+        return ring_positions(held, landing_distal, nominal);
+    }
+    // The arms of a flare are those of the braid: where the wall holds it, it is spaced as the
+    // braid is, else as at rest. Of the two radii the smaller counts, so the longer spacing.
+    std::vector<double> positions = {landing_distal};
+    for (const double at_rest : nominal) {
+        const double place = positions.back();
+        const double stuck = ring_positions(schedule, place, {at_rest}).back();
+        const double free = ring_positions(held, place, {lattice.ring_spacing}).back();
+        positions.push_back(std::lerp(stuck, std::min(free, stuck), schedule.sliding));
+    }
+    return positions;
+}
+
+/// Rings no nearer than their wires allow; those behind them move on.
+std::vector<double> kept_apart(std::vector<double> positions, double least)
+{
+    double moved = 0.0;
+    for (std::size_t ring = 1; ring < positions.size(); ++ring) {
+        const double wanted = positions[ring] - moved;
+        positions[ring] = std::min(wanted, positions[ring - 1] - least);
+        moved += wanted - positions[ring];
+    }
+    return positions;
 }
 
 }  // namespace
@@ -95,29 +139,9 @@ std::vector<double> release_positions(const FlowDiverter& device, const BraidLat
                                       const ReleaseSchedule& schedule, double landing_distal,
                                       bool centred)
 {
-    std::vector<double> nominal;
-    for (int ring = 0; ring + 1 < lattice.num_rings; ++ring)
-        nominal.push_back(lattice.gap_spacing(ring));
-    if (schedule.sliding == 0.0) return ring_positions(schedule, landing_distal, nominal);
-
-    ReleaseSchedule held = schedule;
-    held.table =
-        force_free_spacing(device, lattice, centerline, wall, schedule, landing_distal, centred);
-    if (lattice.gap_spacings.empty()) {
-        for (SpacingPoint& point : held.table)
-            point.spacing = std::lerp(1.0, point.spacing, schedule.sliding);
-        return ring_positions(held, landing_distal, nominal);
-    }
-    // The arms of a flare are those of the braid: where the wall holds it, it is spaced as the
-    // braid is, else as at rest. Of the two radii the smaller counts, so the longer spacing.
-    std::vector<double> positions = {landing_distal};
-    for (const double at_rest : nominal) {
-        const double place = positions.back();
-        const double stuck = ring_positions(schedule, place, {at_rest}).back();
-        const double free = ring_positions(held, place, {lattice.ring_spacing}).back();
-        positions.push_back(std::lerp(stuck, std::min(free, stuck), schedule.sliding));
-    }
-    return positions;
+    return kept_apart(
+        wanted_positions(device, lattice, centerline, wall, schedule, landing_distal, centred),
+        least_plane_gap(device, lattice));
 }
 
 }  // namespace braidzone

@@ -4,6 +4,8 @@
 #include "deploy/deployment.hpp"
 #include "deploy/deployment_measures.hpp"
 #include "deploy/neck.hpp"
+#include "porous/braid_surface.hpp"
+#include "porous/range_check.hpp"
 #include "verification/siphons/siphon.hpp"
 
 #include <ctime>
@@ -17,6 +19,7 @@ struct Outcome {
     std::string unmade;   ///< why the phantom could not be made; empty if it was
     std::string refused;  ///< why it was not deployed; empty if it was
     int inverted = 0;
+    int jammed = 0;    ///< rhombi in which the wires of a family touch
     int outside = 0;   ///< nodes farther than 20 um beyond the wall
     int mouths = 0;    ///< that lie wholly behind the device
     int found = 0;     ///< of them
@@ -90,6 +93,8 @@ inline Outcome outcome_of(const Siphon& siphon)
         const DeploymentMeasures measures =
             measure(deployment, siphon.device, wall, 3.0 * siphon.device.wire_diameter, openings);
         outcome.inverted = measures.inverted_rhombi;
+        for (const Rhombus& rhombus : make_braid_surface(deployment, siphon.device).rhombi)
+            outcome.jammed += is_jammed(rhombus);
         outcome.contact = measures.contact_area_fraction;
         outcome.outside = nodes_outside(deployment, wall);
         if (!deployment.converged) outcome.refused = "not at rest";

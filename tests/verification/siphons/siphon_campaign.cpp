@@ -35,19 +35,19 @@ std::string without_commas(std::string text)
     return text;
 }
 
-/// seed,tightest bend,force
-/// free,pushed,inverted,outside,mouths,found,invented,contact,s,unmade,refused
+/// seed, tightest bend, force-free, pushed, inverted, jammed, outside, mouths, found, invented,
+/// contact, s, unmade, refused
 std::string line_of(unsigned seed, const Siphon& siphon, const Outcome& outcome)
 {
-    return fmt::format("{},{:.3f},{},{},{},{},{},{},{},{:.3f},{:.2f},{},{}", seed,
+    return fmt::format("{},{:.3f},{},{},{},{},{},{},{},{},{:.3f},{:.2f},{},{}", seed,
                        siphon.tightest_bend, int{siphon.force_free}, int{siphon.push.has_value()},
-                       outcome.inverted, outcome.outside, outcome.mouths, outcome.found,
-                       outcome.invented, outcome.contact, outcome.cpu_time,
+                       outcome.inverted, outcome.jammed, outcome.outside, outcome.mouths,
+                       outcome.found, outcome.invented, outcome.contact, outcome.cpu_time,
                        without_commas(outcome.unmade), without_commas(outcome.refused));
 }
 
 struct Totals {
-    int made = 0, unmade = 0, too_small = 0, refused = 0, inverted = 0, outside = 0;
+    int made = 0, unmade = 0, too_small = 0, refused = 0, inverted = 0, jammed = 0, outside = 0;
     int mouths = 0, found = 0, invented = 0;
     double time = 0.0;
     std::string failing;
@@ -67,13 +67,14 @@ void add(Totals& totals, unsigned seed, const Outcome& outcome)
     }
     totals.refused += !outcome.refused.empty();
     totals.inverted += outcome.inverted > 0;
+    totals.jammed += outcome.jammed > 0;
     totals.outside += outcome.outside > 0;
     totals.mouths += outcome.mouths;
     totals.found += outcome.found;
     totals.invented += outcome.invented;
     totals.time += outcome.cpu_time;
-    if (!outcome.refused.empty() || outcome.inverted > 0 || outcome.outside > 0 ||
-        outcome.found < outcome.mouths || outcome.invented > 0) {
+    if (!outcome.refused.empty() || outcome.inverted > 0 || outcome.jammed > 0 ||
+        outcome.outside > 0 || outcome.found < outcome.mouths || outcome.invented > 0) {
         totals.failing += fmt::format(" {}", seed);
     }
 }
@@ -104,12 +105,11 @@ int main(int argc, char** argv)
         (lines.empty() ? std::cout : file) << line << std::endl;
     }
     std::cout << fmt::format(
-        "{} siphons, {} not made\nrefused as too small for the vessel {}\nelse refused {}\nwith "
-        "inverted rhombi {}\nwith nodes outside "
-        "{}\nmouths found {} of {}, {} where nothing is\nCPU time {:.2f} s each\nfailing "
-        "seeds:{}\n",
+        "{} siphons, {} not made\nrefused as too small for the vessel {}\nelse refused {}\n"
+        "with inverted rhombi {}\nwith jammed ones {}\nwith nodes outside {}\n"
+        "mouths found {} of {}, {} where nothing is\nCPU time {:.2f} s each\nfailing seeds:{}\n",
         totals.made, totals.unmade, totals.too_small, totals.refused, totals.inverted,
-        totals.outside, totals.found, totals.mouths, totals.invented,
+        totals.jammed, totals.outside, totals.found, totals.mouths, totals.invented,
         totals.time / std::max(1, totals.made), totals.failing);
     return EXIT_SUCCESS;
 }
