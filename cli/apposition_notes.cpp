@@ -37,7 +37,7 @@ Apposition apposition_of(const PlacedDevice& placed)
     const Deployment& deployment = placed.deployment;
     std::vector<WallOpening> mouths;
     for (const WallOpening& opening : placed.openings) {
-        if (opening.kind != OpeningKind::end) mouths.push_back(opening);
+        if (opening.kind != OpeningKind::end || opening.in_sac) mouths.push_back(opening);
     }
     const std::vector<char> is_mouth = nodes_of(mouths, deployment.lattice.num_nodes());
     const std::vector<double> areas = node_areas(deployment.lattice, deployment.nodes);
@@ -91,7 +91,9 @@ std::string fitting_size(const FlowDiverter& device, double vessel_diameter)
         fmt::format("; the vessel is up to {:.3g} mm wide there and the device {:.3g} mm: ",
                     1e3 * vessel_diameter, 1e3 * device.nominal_diameter);
     const std::vector<double> made = made_diameters(device);
-    if (made.empty()) return text + fmt::format("{:.3g} mm would fit", 1e3 * vessel_diameter);
+    const bool is_made =
+        !made.empty() && device.nominal_diameter <= *std::max_element(made.begin(), made.end());
+    if (!is_made) return text + fmt::format("{:.3g} mm would fit", 1e3 * vessel_diameter);
     std::optional<double> fitting;
     for (const double diameter : made) {
         if (diameter >= vessel_diameter && (!fitting || diameter < *fitting)) fitting = diameter;
@@ -134,8 +136,11 @@ void add_openings(std::vector<std::string>& notes, const PlacedDevice& placed,
             fmt::format("{:.3g} mm2 of it about {}", 1e6 * opening.area,
                         place_text(middle_of(opening, placed.deployment), unit));
         if (opening.kind == OpeningKind::end) {
-            notes.push_back(
-                fmt::format("{} of the device does not lie on the wall: {}", end, where));
+            notes.push_back(fmt::format("{} of the device {}: {}", end,
+                                        opening.in_sac
+                                            ? "lies in the mouth of a sac, or in a widening"
+                                            : "does not lie on the wall",
+                                        where));
         } else {
             notes.push_back(
                 fmt::format("the device {} the ostium of the branch that leads to opening {}: {}",

@@ -1,6 +1,5 @@
 #include "cli/case_notes.hpp"
 
-#include "cli/apposition_notes.hpp"
 #include "core/place_text.hpp"
 #include "deploy/deployment_measures.hpp"
 #include "porous/range_check.hpp"
@@ -69,6 +68,16 @@ std::vector<std::string> unit_slip_notes(const Case& job, const Centerline& cent
     return notes;
 }
 
+std::vector<std::string> outside_notes(const PlacedDevice& placed, const WallTree& wall)
+{
+    const int num_outside =
+        measure(placed.deployment, placed.device, wall, wall_gap(placed.device), placed.openings)
+            .nodes_outside_vessel;
+    if (num_outside == 0) return {};
+    return {fmt::format("{} of {} nodes lie outside the vessel: the deployment means nothing there",
+                        num_outside, placed.deployment.nodes.size())};
+}
+
 std::vector<std::string> inversion_notes(const Deployment& deployment, const LengthUnit& unit)
 {
     const std::vector<int> inverted = inverted_rhombi(deployment);
@@ -120,6 +129,7 @@ std::vector<std::string> chain_notes(const Case& job, const Chain& chain)
     const auto add_device = [&](const PlacedDevice& placed, const ResistanceSheet& sheet,
                                 const char* whose) {
         add(apposition_notes(placed, chain.wall, unit), whose);
+        add(outside_notes(placed, chain.wall), whose);
         add(inversion_notes(placed.deployment, unit), whose);
         add(jam_notes(job.law, sheet, placed.deployment, placed.openings, unit), whose);
     };

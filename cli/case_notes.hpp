@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/apposition_notes.hpp"
 #include "cli/case_file.hpp"
 #include "cli/pipeline.hpp"
 #include "core/centerline.hpp"
@@ -24,6 +25,10 @@ namespace braidzone {
 /// @param centerline  with the vessel's inscribed radii
 /// @return sentences for a person, with key and value
 std::vector<std::string> unit_slip_notes(const Case& job, const Centerline& centerline);
+
+/// How many nodes lie outside the vessel, if any do.
+/// @param wall  of the vessel, without other devices
+std::vector<std::string> outside_notes(const PlacedDevice& placed, const WallTree& wall);
 
 /// How many of the braid's rhombi are turned over, and where the first of them lies on the vessel;
 /// none for a sound braid.

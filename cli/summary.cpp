@@ -173,7 +173,8 @@ Json opening_of(const DeployedDevice& deployed, WallOpening opening)
                  {"area", quantity(opening.area, "m^2")},
                  {"num_nodes", opening.nodes.size()},
                  {"vessel_openings", opening.vessel_openings},
-                 {"device_ends", device_ends}};
+                 {"device_ends", device_ends},
+                 {"in_sac", opening.in_sac}};
     // The figures of a neck, of whatever lies behind.
     opening.kind = OpeningKind::sac;
     const std::vector<NeckPart> parts = neck_parts(deployment, {opening});

@@ -112,7 +112,7 @@ bool is_end_of_lumen(const TriangleMesh& mesh, const std::vector<int>& region, c
 std::vector<std::vector<int>> flat_caps(const TriangleMesh& mesh, double angle_deg)
 {
     constexpr double rim_angle_deg = 45.0;
-    constexpr double smallest_area_share = 1.0 / 16.0;  // a quarter of the radius
+    constexpr double smallest_area_share = 1.0 / 100.0;  // a tenth of the radius
 
     std::vector<std::vector<int>> caps = smooth_regions(mesh, rim_angle_deg);
     std::erase_if(caps, [&](const std::vector<int>& region) {

@@ -13,7 +13,7 @@ namespace braidzone {
 /// circle, 0.79 for a square, 0.69 for an ellipse of aspect 3) is at least 0.5. The lumen behind it
 /// is about as wide: with r = sqrt(A / pi), the surface comes nearer than 1.5 r to the point 2 r
 /// behind the cap's middle. (Behind a facet of a rough wall nothing is nearer than the facet.) A
-/// cap whose area is below 1/16 of the largest one's is a facet of the wall, too.
+/// cap whose area is below 1/100 of the largest one's is a facet of the wall, too.
 ///
 /// @param mesh       sound
 /// @param angle_deg  a cap's normals differ from their mean by less than this

@@ -36,7 +36,8 @@ struct VesselOptions {
 /// The vessel of a surface: sound, opened at its caps, with its openings measured.
 ///
 /// Corners that nearly coincide are merged (`merged_near_points`), edges split at corners that lie
-/// on them (`with_split_edges`), and normals that all point inwards turned; all are noted. Other defects are refused or, where `repair` names them, mended
+/// on them (`with_split_edges`), and normals that all point inwards turned; all are noted. Other
+/// defects are refused or, where `repair` names them, mended
 /// (`repair` in surface_repair.hpp).
 ///
 /// The openings are the rims of an open surface, and the ends whose caps are labelled

@@ -1,5 +1,6 @@
 #include "deploy/deployment.hpp"
 
+#include "core/error.hpp"
 #include "deploy/crimped_braid.hpp"
 #include "deploy/deployment_measures.hpp"
 #include "deploy/hub_shift.hpp"
@@ -14,6 +15,8 @@
 #include "deploy/spring_forces.hpp"
 #include "deploy/wall_contact.hpp"
 #include "deploy/wire_jam.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -181,6 +184,24 @@ RestingBraid open(const CrimpedBraid& crimped, const SpringCoefficients& coeffic
     return rest;
 }
 
+/// Refuses a braid whose nodes have passed the hubs of their rings: it has buckled, and what comes
+/// out on the other side meets no wall.
+void require_unbuckled(const RestingBraid& rest, const BraidLattice& lattice,
+                       const std::vector<double>& positions)
+{
+    const auto passed = [](double radius) { return !(radius > 0.0); };
+    const auto num_passed = std::count_if(rest.radii.begin(), rest.radii.end(), passed);
+    if (num_passed == 0) return;
+    const auto first = std::find_if(rest.radii.begin(), rest.radii.end(), passed);
+    const auto ring = (first - rest.radii.begin()) / lattice.nodes_per_ring;
+    throw GeometryError(fmt::format(
+        "the braid buckles: {} of {} nodes pass the middle of their ring, the first at {:.6g} mm "
+        "along the centerline; rings that are held so near to each other leave its wires too long "
+        "for the vessel there; take a smaller device.diameter, or deployment.release = "
+        "\"force_free\"",
+        num_passed, rest.radii.size(), 1e3 * positions[static_cast<std::size_t>(ring)]));
+}
+
 /// How far nodes lie beyond the wall as it was, along their rays [m].
 std::vector<double> beyond(const std::vector<double>& stops, const std::vector<double>& radii)
 {
@@ -311,6 +332,7 @@ Deployment deploy(const FlowDiverter& device, const Centerline& centerline, cons
     RestingBraid rest = options.motion == Motion::none
                             ? solve_for_rest(crimped, coefficients, support, options)
                             : open(crimped, coefficients, support, options);
+    require_unbuckled(rest, lattice, positions);
     if (is_compliant) rest.wall_displacement = beyond(wall_stops, rest.radii);
 
     Deployment result = as_it_is(crimped, rest, wall, device.wire_diameter);

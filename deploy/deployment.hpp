@@ -58,7 +58,8 @@ struct Deployment {
 ///
 /// @param landing_distal  arc length of the distal end on the centerline [m]
 /// @throws GeometryError if the device does not lie within the centerline, the catheter does not
-///         fit into the lumen, or the device is too small or too large for the vessel; ConfigError
+///         fit into the lumen, the device is too small or too large for the vessel, or so large
+///         that it buckles and nodes pass the hubs of their rings; ConfigError
 ///         if the schedule is not valid, or an option does not go together with the others
 Deployment deploy(const FlowDiverter& device, const Centerline& centerline, const WallTree& wall,
                   double landing_distal, const ReleaseSchedule& schedule,

@@ -31,6 +31,7 @@ struct WallOpening {
     /// As `told_apart` finds it (`opening_kind.hpp`).
     OpeningKind kind = OpeningKind::sac;
     std::vector<int> vessel_openings = {};  ///< reached through a branch, largest first
+    bool in_sac = false;  ///< an end that lies in the mouth of a sac, or in a widening
 };
 
 struct NeckOptions {

@@ -207,6 +207,7 @@ std::vector<WallOpening> parts_of(const std::vector<WallOpening>& openings,
         parts.push_back(opening_of(deployment, areas, nodes));
         parts.back().kind = key.first;
         parts.back().vessel_openings = surroundings.branches_of(key.second);
+        parts.back().in_sac = key.first == OpeningKind::end && key.second >= 0;
     }
     return parts;
 }
@@ -298,8 +299,10 @@ std::vector<WallOpening> with_joined_ends(std::vector<WallOpening> openings,
         }
         std::vector<int> nodes = other->nodes;
         nodes.insert(nodes.end(), opening.nodes.begin(), opening.nodes.end());
+        const bool in_sac = other->in_sac || opening.in_sac;
         *other = opening_of(deployment, areas, std::move(nodes));
         other->kind = OpeningKind::end;
+        other->in_sac = in_sac;
     }
     return joined;
 }

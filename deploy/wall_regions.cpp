@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numbers>
 #include <utility>
 
 namespace braidzone {
@@ -14,6 +15,8 @@ namespace {
 constexpr double outside_ratio = NeckOptions{}.outside_ratio;
 /// What rises less above a branch's tube is a flare of its ostium, or a bulge of its wall.
 constexpr double sac_ratio = 1.6;
+/// Wall of a sac over the parent's cross-section: that of a hemisphere half as wide as the parent.
+constexpr double least_sac_area = 0.5;
 
 std::size_t index(int i)
 {
@@ -94,9 +97,11 @@ void add(WallRegions& regions, const std::vector<int>& part, std::vector<int> br
     regions.branches.push_back(std::move(branches));
 }
 
-/// The parent's hub nearest to the middle of the border between a region and the rest of the wall.
-Vec3 hub_at_mouth(const WallRegions& regions, int region, const TriangleMesh& mesh,
-                  const std::vector<std::vector<int>>& neighbours, const LumenTube& parent)
+/// The parent's section nearest to the middle of the border between a region and the rest of the
+/// wall.
+std::size_t section_at_mouth(const WallRegions& regions, int region, const TriangleMesh& mesh,
+                             const std::vector<std::vector<int>>& neighbours,
+                             const LumenTube& parent)
 {
     Vec3 sum = Vec3::Zero();
     double number = 0.0;
@@ -114,7 +119,25 @@ Vec3 hub_at_mouth(const WallRegions& regions, int region, const TriangleMesh& me
         [&](const CrossSection& first, const CrossSection& second) {
             return (first.origin - mouth).squaredNorm() < (second.origin - mouth).squaredNorm();
         });
-    return nearest->origin;
+    return static_cast<std::size_t>(nearest - parent.sections.begin());
+}
+
+double area_of(const std::vector<int>& part, const TriangleMesh& mesh)
+{
+    double area = 0.0;
+    for (const int triangle : part)
+        area += area_vector(mesh, triangle).norm();
+    return area;
+}
+
+/// Of the tube across a section, with the mean of its radii [m^2].
+double cross_section(const LumenTube& tube, std::size_t section)
+{
+    double sum = 0.0;
+    for (const double radius : tube.radii[section])
+        sum += radius;
+    const double mean = sum / static_cast<double>(tube.radii[section].size());
+    return std::numbers::pi * mean * mean;
 }
 
 }  // namespace
@@ -141,10 +164,11 @@ void part_sacs_from_branches(WallRegions& regions, int region, const Vessel& ves
 {
     const std::vector<std::vector<int>> neighbours = triangle_neighbours(vessel.wall);
     std::vector<double> nearest = distances_from(parent, vessel.wall);
-    const Vec3 hub = hub_at_mouth(regions, region, vessel.wall, neighbours, parent);
+    const std::size_t mouth = section_at_mouth(regions, region, vessel.wall, neighbours, parent);
+    const double least_area = least_sac_area * cross_section(parent, mouth);
     for (const int branch : regions.branches[index(region)]) {
-        const LumenTube tube =
-            branch_tube(wall, vessel.openings[index(branch)], hub, parent, reach);
+        const LumenTube tube = branch_tube(wall, vessel.openings[index(branch)],
+                                           parent.sections[mouth].origin, parent, reach);
         if (tube.sections.empty()) return;
         const std::vector<double> distances = distances_from(tube, vessel.wall);
         for (std::size_t triangle = 0; triangle < nearest.size(); ++triangle)
@@ -154,9 +178,10 @@ void part_sacs_from_branches(WallRegions& regions, int region, const Vessel& ves
              return regions.of_triangle[index(triangle)] == region &&
                     nearest[index(triangle)] > outside_ratio;
          })) {
-        const bool is_sac = std::any_of(beside.begin(), beside.end(), [&](int triangle) {
-            return nearest[index(triangle)] > sac_ratio;
-        });
+        const bool is_sac = area_of(beside, vessel.wall) >= least_area &&
+                            std::any_of(beside.begin(), beside.end(), [&](int triangle) {
+                                return nearest[index(triangle)] > sac_ratio;
+                            });
         if (is_sac && openings_at(beside, vessel).empty()) add(regions, beside, {});
     }
 }

@@ -28,8 +28,9 @@ WallRegions wall_regions(const Vessel& vessel, const LumenTube& parent,
 
 /// Makes regions of their own of the sacs in a region that reaches branches, where the mouth of a
 /// sac and the ostium of a branch run into each other: of what lies outside the tubes of the
-/// branches too (`branch_tube`), parts that rise beyond 1.6 times the radius of every tube. What
-/// remains is the branch's. The region stays whole if the way of a branch is not found.
+/// branches too (`branch_tube`), parts that rise beyond 1.6 times the radius of every tube and have
+/// at least half as much wall as the parent has cross-section. What remains is the branch's. The
+/// region stays whole if the way of a branch is not found.
 /// @param region  a number of `regions`
 /// @param reach   how far walls are looked for [m]
 void part_sacs_from_branches(WallRegions& regions, int region, const Vessel& vessel,

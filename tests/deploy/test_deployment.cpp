@@ -313,6 +313,24 @@ TEST(Deploy, RefusesADeviceOfMoreThanTwiceTheDiameter)
     EXPECT_THAT(message_of([&] { deploy_short(device, 10e-3); }), HasSubstr("8 mm is too large"));
 }
 
+// 8.5 mm at nominal spacing in 6.8 mm: the arms would be sqrt(t^2 + 1) = 1.036 dR0 long and have
+// room for sqrt(t^2 + 0.64) = 0.845, so that the stiff wires fold out of their circles.
+TEST(Deploy, RefusesABraidThatBucklesThroughItsHubs)
+{
+    FlowDiverter device = test::wire_pipeline(8.5e-3, 0.2726);
+    device.nominal_length = 10e-3;
+    const Vessel vessel = test::tube_vessel(3.4e-3, 20e-3);
+    const Centerline line = test::tube_centerline(3.4e-3, 20e-3);
+    EXPECT_THAT(message_of([&] { deploy(device, line, WallTree(vessel), 15e-3, {}, {}); }),
+                testing::AllOf(HasSubstr("the braid buckles"), HasSubstr("force_free")));
+    // Free to be as long as its wires are, it is sound.
+    const Deployment free =
+        deploy(device, test::tube_centerline(3.4e-3, 60e-3),
+               WallTree(test::tube_vessel(3.4e-3, 60e-3)), 55e-3, {.sliding = 1.0}, {});
+    EXPECT_TRUE(std::all_of(free.in_contact.begin(), free.in_contact.end(),
+                            [](char touches) { return touches != 0; }));
+}
+
 TEST(Deploy, RefusesALumenTooNarrowForTheCatheter)
 {
     FlowDiverter device = short_device();

@@ -183,6 +183,7 @@ TEST(ToldApart, CallsADeviceThatEndsInANeckAPoorEnd)
     phantom.sacs = {sac_at(15e-3)};
     const std::vector<WallOpening> openings = kinds(phantom, 15e-3, 10e-3);
     ASSERT_EQ(kinds_of(openings), Kinds{end});
+    EXPECT_TRUE(openings[0].in_sac);
     EXPECT_EQ(neck_of(openings), nullptr);
 }
 
