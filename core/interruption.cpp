@@ -13,7 +13,7 @@ namespace braidzone {
 namespace {
 
 struct Unfinished {
-    std::mutex mutex;
+    std::recursive_mutex mutex;
     std::set<std::filesystem::path> paths;
 };
 
@@ -94,7 +94,7 @@ UnfinishedOutput::~UnfinishedOutput()
     forget();
 }
 
-std::mutex& UnfinishedOutput::mutex()
+std::recursive_mutex& UnfinishedOutput::mutex()
 {
     return unfinished().mutex;
 }

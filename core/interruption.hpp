@@ -27,16 +27,26 @@ public:
     template <typename Move>
     void finish(const Move& move)
     {
+        without_signals([&] {
+            move();
+            forget();
+        });
+    }
+
+    /// Does something that no signal interrupts: such as to make a folder and to register it here,
+    /// so that there is no moment at which it is there and would be left.
+    template <typename Action>
+    static auto without_signals(const Action& action)
+    {
         const std::scoped_lock no_signal(mutex());
-        move();
-        forget();
+        return action();
     }
 
     /// From now on it stays whatever happens. To be called in `finish` only.
     void forget();
 
 private:
-    static std::mutex& mutex();
+    static std::recursive_mutex& mutex();
     std::filesystem::path path_;
 };
 

@@ -125,20 +125,26 @@ WorkingFolder::WorkingFolder(const fs::path& parent, const std::string& output)
     for (int attempt = 0; attempt < 10000; ++attempt) {
         const fs::path folder =
             parent / fmt::format("{}{}-{}.unfinished", prefix_of(output), ::getpid(), attempt);
-        if (::mkdir(folder.c_str(), 0777) != 0) {
-            if (errno == EEXIST) continue;
-            throw IoError(fmt::format("nothing can be written in {}: {}", parent.string(),
-                                      std::strerror(errno)));
-        }
-        owner_ = take(folder, output);
-        if (owner_ < 0) {
-            remove_folder(folder);
-            continue;
-        }
-        unfinished_.emplace(folder);
-        return;
+        if (UnfinishedOutput::without_signals([&] { return try_to_make(folder, output); })) return;
     }
     throw IoError(fmt::format("no working folder can be made in {}", parent.string()));
+}
+
+/// @return false if there is one of that name, or another process took it for one that was left
+bool WorkingFolder::try_to_make(const fs::path& folder, const std::string& output)
+{
+    if (::mkdir(folder.c_str(), 0777) != 0) {
+        if (errno == EEXIST) return false;
+        throw IoError(fmt::format("nothing can be written in {}: {}", folder.parent_path().string(),
+                                  std::strerror(errno)));
+    }
+    owner_ = take(folder, output);
+    if (owner_ < 0) {
+        remove_folder(folder);
+        return false;
+    }
+    unfinished_.emplace(folder);
+    return true;
 }
 
 WorkingFolder::~WorkingFolder()

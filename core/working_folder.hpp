@@ -43,6 +43,7 @@ public:
     void leave() { unfinished_->forget(); }
 
 private:
+    bool try_to_make(const std::filesystem::path& folder, const std::string& output);
     void remove() const;
     std::optional<UnfinishedOutput> unfinished_;
     int owner_ = -1;  ///< descriptor of the locked file
