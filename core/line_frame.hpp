@@ -23,8 +23,7 @@ std::string fitting_frame(const std::vector<Vec3>& points, const Vessel& vessel,
                           const WallTree& wall);
 
 /// @throws GeometryError if each of the lines is in the lumen for less than half of its length and
-/// a
-///         frame fits the longest, which is named; or if none of them comes into the lumen
+///         a frame fits the longest, which is named; or if none of them comes into the lumen
 void require_same_frame(const std::vector<Polyline>& lines, const Vessel& vessel,
                         const WallTree& wall);
 
