@@ -122,15 +122,6 @@ void remove_flat_triangles(Mesh& mesh, Notes& notes)
     notes.push_back(fmt::format("removed {} triangles without area", found.size()));
 }
 
-void remove_crossings(Mesh& mesh, Notes& notes)
-{
-    if (!PMP::does_self_intersect(mesh)) return;
-    const std::size_t before = mesh.number_of_faces();
-    PMP::experimental::remove_self_intersections(mesh);
-    notes.push_back(fmt::format("removed self-intersections ({} triangles became {})", before,
-                                mesh.number_of_faces()));
-}
-
 Mesh polygon_mesh_of(const Soup& soup)
 {
     Mesh surface;
@@ -207,10 +198,17 @@ TriangleMesh largest_part(const TriangleMesh& mesh, const LengthUnit& unit, Note
     return triangle_mesh_of(surface);
 }
 
-TriangleMesh without_crossings(const TriangleMesh& mesh, Notes& notes)
+TriangleMesh without_crossings(const TriangleMesh& mesh, const LengthUnit& unit, Notes& notes)
 {
+    const auto crossing = find_defects(mesh).intersecting_triangles;
+    if (crossing.empty()) return mesh;
+    const auto& corners = mesh.triangles[static_cast<std::size_t>(crossing.front()[0])];
+    const Vec3& first = mesh.points[static_cast<std::size_t>(corners[0])];
     Mesh surface = polygon_mesh_of(soup_of(mesh));
-    remove_crossings(surface, notes);
+    PMP::experimental::remove_self_intersections(surface);
+    notes.push_back(
+        fmt::format("removed self-intersections, the first at {} ({} triangles became {})",
+                    place_text(first, unit), mesh.triangles.size(), surface.number_of_faces()));
     return triangle_mesh_of(surface);
 }
 
@@ -297,7 +295,7 @@ std::pair<TriangleMesh, std::vector<std::string>> repair(const TriangleMesh& mes
         if (needed.merge) result = with_clean_topology(result, notes);
         if (needed.normals) result = with_one_winding(result, notes);
         if (needed.parts) result = largest_part(result, unit, notes);
-        if (needed.self_intersections) result = without_crossings(result, notes);
+        if (needed.self_intersections) result = without_crossings(result, unit, notes);
         if (defects.is_inverted) {
             for (std::array<int, 3>& corners : result.triangles)
                 std::swap(corners[1], corners[2]);

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace braidzone {
@@ -77,6 +78,7 @@ std::vector<double> stops_in_vessel(const CrimpedBraid& braid, const WallTree& w
 }
 
 /// Where nodes stop: at the wall, or before it where their wires jam.
+/// @param wall_stops  infinite where only jammed wires stop the nodes [m]
 std::vector<double> stops_of(const std::vector<double>& wall_stops, const CrimpedBraid& braid,
                              const FlowDiverter& device)
 {
@@ -88,6 +90,17 @@ std::vector<double> stops_of(const std::vector<double>& wall_stops, const Crimpe
             nearer_stop(wall_stops[i], jam[i], jam_rounding_ratio * braid.lattice.nominal_radius)));
     }
     return stops;
+}
+
+/// @param stiffness  of the wall, see `wall_stiffnesses`; empty for a rigid one
+WallSupport support_of(const std::vector<double>& wall_stops, std::vector<double> stiffness,
+                       const CrimpedBraid& braid, const FlowDiverter& device)
+{
+    if (stiffness.empty()) return {.stops = stops_of(wall_stops, braid, device)};
+    const std::vector<double> no_wall(wall_stops.size(), std::numeric_limits<double>::infinity());
+    return {.stops = stops_of(no_wall, braid, device),
+            .stiffness = std::move(stiffness),
+            .wall = wall_stops};
 }
 
 /// A braid at rest, forces in newtons.
@@ -127,9 +140,8 @@ RestingBraid solve_for_rest(const CrimpedBraid& crimped, const SpringCoefficient
     rest.spring_forces = shape.spring_forces;
     for (double& force : rest.spring_forces)
         force *= scale;
-    rest.wall_displacement.assign(rest.radii.size(), 0.0);
-    for (std::size_t i = 0; i < support.stiffness.size(); ++i)
-        rest.wall_displacement[i] = std::max(0.0, rest.radii[i] - support.stops[i]);
+    for (std::size_t i = 0; i < rest.radii.size(); ++i)
+        rest.wall_displacement.push_back(support.wall_displacement(i, rest.radii[i]));
     rest.residual = scale * shape.residual;
     rest.tolerance = scale * tolerance;
     rest.steps = shape.iterations;
@@ -274,20 +286,20 @@ Deployment laid_onto(const Deployment& coarse, const RestingBraid& rest,
                      const LatticeMapping& mapping, const CrimpedBraid& crossings,
                      const WallTree& wall, const FlowDiverter& device)
 {
-    const std::vector<double> stops = stops_of(stops_in_vessel(crossings, wall), crossings, device);
-    std::vector<double> displacement = carried_over(mapping, rest.wall_displacement);
+    const std::vector<double> wall_stops = stops_in_vessel(crossings, wall);
+    std::vector<double> displaced_wall = carried_over(mapping, rest.wall_displacement);
+    for (std::size_t i = 0; i < displaced_wall.size(); ++i)
+        displaced_wall[i] = wall_stops[i] + std::max(0.0, displaced_wall[i]);
+    const std::vector<double> stops = stops_of(displaced_wall, crossings, device);
     const auto radii_of = [&](const std::vector<double>& coarse_radii) {
         std::vector<double> radii = carried_over(mapping, coarse_radii);
         for (std::size_t i = 0; i < radii.size(); ++i)
-            radii[i] = std::min(radii[i], stops[i] + std::max(0.0, displacement[i]));
+            radii[i] = std::min(radii[i], stops[i]);
         return radii;
     };
     const std::vector<double> radii = radii_of(rest.radii);
-    for (std::size_t i = 0; i < radii.size(); ++i)
-        displacement[i] = std::max(0.0, radii[i] - stops[i]);
-
     Deployment result;
-    set_shape(result, crossings, radii, displacement, wall, device.wire_diameter);
+    set_shape(result, crossings, radii, beyond(wall_stops, radii), wall, device.wire_diameter);
     set_contact_force(
         result,
         carried_over_forces(mapping, coarse.contact_force, node_areas(coarse.lattice, coarse.nodes),
@@ -321,14 +333,16 @@ Deployment deploy(const FlowDiverter& device, const Centerline& centerline, cons
     const SpringCoefficients coefficients =
         spring_coefficients(device, lattice, options.bending_ratio);
     const std::vector<double> wall_stops = stops_in_vessel(crimped, wall);
-    WallSupport support{stops_of(narrowed_stops(schedule.incomplete_openings, wall_stops, lattice,
-                                                positions, device.braid_ratio, crimped.radius),
-                                 crimped, device)};
     const bool is_compliant = std::isfinite(options.wall_stiffness);
+    std::vector<double> stiffness;
     if (is_compliant) {
-        support.stiffness = wall_stiffnesses(crimped, wall_stops,
-                                             options.wall_stiffness / coefficients.force_scale);
+        stiffness = wall_stiffnesses(crimped, wall_stops,
+                                     options.wall_stiffness / coefficients.force_scale);
     }
+    const WallSupport support =
+        support_of(narrowed_stops(schedule.incomplete_openings, wall_stops, lattice, positions,
+                                  device.braid_ratio, crimped.radius),
+                   std::move(stiffness), crimped, device);
     RestingBraid rest = options.motion == Motion::none
                             ? solve_for_rest(crimped, coefficients, support, options)
                             : open(crimped, coefficients, support, options);

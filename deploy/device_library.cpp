@@ -169,6 +169,18 @@ void set_from_library(FlowDiverter& device, const DeviceParameter& parameter,
                                 device.name, parameter.key, show(parameter, value), doubt));
 }
 
+/// Why a value that the library gives may be none that a braid can have.
+std::string origin_in_library(const DeviceFile& file, const std::string& key, double diameter)
+{
+    const auto known = file.parameters.find(key);
+    if (known == file.parameters.end() || is_stated_at(known->second, diameter))
+        return " (from the library for this size; give it in [device])";
+    return fmt::format(
+        ", as it would follow from other sizes for {:.6g} mm: give it in [device], or, if it is a "
+        "spring's, state forces = \"wire-theory\"",
+        1e3 * diameter);
+}
+
 }  // namespace
 
 std::vector<DeviceModel> device_library()
@@ -230,10 +242,11 @@ FlowDiverter read_device(const TomlTable& section, std::vector<std::string>& not
         }
     }
     if (const auto invalid = find_invalid(device)) {
-        throw ConfigError(fmt::format(
-            "{} {}{}", section.where(invalid->key), invalid->finding,
-            section.has(invalid->key) ? ""
-                                      : " (from the library for this size; give it in [device])"));
+        throw ConfigError(
+            fmt::format("{} {}{}", section.where(invalid->key), invalid->finding,
+                        section.has(invalid->key)
+                            ? ""
+                            : origin_in_library(file, invalid->key, device.nominal_diameter)));
     }
     return device;
 }

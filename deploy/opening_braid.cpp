@@ -120,9 +120,9 @@ double OpeningBraid::elastic_energy() const
                     bending_energy(lattice_, coefficients_.bending, radii_);
     for (int ring = 0; ring < lattice_.num_rings; ++ring)
         energy += 0.5 * hub_stiffness_ * hub_way(ring).squaredNorm();
-    if (!is_compliant()) return energy;
+    if (!support_.is_compliant()) return energy;
     for (std::size_t node = 0; node < radii_.size(); ++node) {
-        const double beyond = std::max(0.0, radii_[node] - support_.stops[node]);
+        const double beyond = support_.wall_displacement(node, radii_[node]);
         energy += 0.5 * support_.stiffness[node] * beyond * beyond;
     }
     return energy;
@@ -141,10 +141,9 @@ double OpeningBraid::kinetic_energy() const
 
 std::vector<double> OpeningBraid::wall_displacements() const
 {
-    std::vector<double> displacements(radii_.size(), 0.0);
-    if (!is_compliant()) return displacements;
+    std::vector<double> displacements;
     for (std::size_t node = 0; node < radii_.size(); ++node)
-        displacements[node] = std::max(0.0, radii_[node] - support_.stops[node]);
+        displacements.push_back(support_.wall_displacement(node, radii_[node]));
     return displacements;
 }
 
@@ -181,7 +180,7 @@ void OpeningBraid::take_stale_nodes()
 
 double OpeningBraid::wall_force(std::size_t node) const
 {
-    return -support_.stiffness[node] * std::max(0.0, radii_[node] - support_.stops[node]);
+    return -support_.stiffness[node] * support_.wall_displacement(node, radii_[node]);
 }
 
 void OpeningBraid::update_force(Place place)
@@ -191,7 +190,7 @@ void OpeningBraid::update_force(Place place)
         spring_force(lattice_, coefficients_, nodes_, rings_, place.ring, place.column));
     forces_[i] = spring_forces_[i] +
                  bending_force(lattice_, coefficients_.bending, radii_, place.ring, place.column);
-    if (is_compliant()) forces_[i] += wall_force(i);
+    if (support_.is_compliant()) forces_[i] += wall_force(i);
 }
 
 /// From the hub's place to where it is.
@@ -223,7 +222,7 @@ void OpeningBraid::move(Place place)
     }
     displacements_[i] = next(displacements_[i], forces_[i], 1.0);
     radii_[i] += displacements_[i];
-    held_[i] = !is_compliant() && radii_[i] >= support_.stops[i];
+    held_[i] = radii_[i] >= support_.stops[i];
     if (held_[i]) {
         radii_[i] = support_.stops[i];
         displacements_[i] = 0.0;

@@ -15,8 +15,9 @@ namespace braidzone {
 ///
 ///     m r'' = f_springs + f_bending + f_wall - k r'
 ///
-/// Every force is the component along the node's ray. A rigid wall holds the node at its stop; a
-/// compliant one pushes back with f_wall = -K (r - stop) beyond it, and never pulls.
+/// Every force is the component along the node's ray. A rigid wall and jammed wires hold the node
+/// at its stop; a compliant wall pushes back with f_wall = -K (r - wall) beyond it, and never
+/// pulls.
 ///
 /// A hub of freedom h > 0 is two more coordinates u in the plane of its ring. It feels the opposite
 /// of its radial springs' forces and that of a spring which ties it to its place,
@@ -78,7 +79,6 @@ private:
     void mark_ring_stale(int ring);
     void mark_neighbours_stale(Place place);
     void take_stale_nodes();
-    bool is_compliant() const { return !support_.stiffness.empty(); }
     double residual_of(std::size_t node) const;
     double wall_force(std::size_t node) const;
     void update_force(Place place);

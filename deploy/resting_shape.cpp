@@ -32,7 +32,8 @@ public:
         : braid_(braid), coefficients_(coefficients), support_(support), hessian_(braid.lattice)
     {
         std::vector<double> radii;
-        for (const double stop : support.stops)
+        const std::vector<double>& near = support.is_compliant() ? support.wall : support.stops;
+        for (const double stop : near)
             radii.push_back(std::max(braid.radius, std::min(stop, braid.lattice.nominal_radius)));
         set_radii(radii);
     }
@@ -41,20 +42,16 @@ public:
     const std::vector<double>& spring_forces() const { return spring_forces_; }
     const std::vector<double>& forces() const { return forces_; }
     double energy() const { return energy_; }
-    bool is_rigid() const { return support_.stiffness.empty(); }
     bool is_held(int node) const
     {
-        return is_rigid() && radii_[index(node)] >= support_.stops[index(node)] &&
-               forces_[index(node)] >= 0.0;
+        return radii_[index(node)] >= support_.stops[index(node)] && forces_[index(node)] >= 0.0;
     }
 
     void set_radii(const std::vector<double>& radii)
     {
         radii_ = radii;
-        if (is_rigid()) {
-            for (std::size_t i = 0; i < radii_.size(); ++i)
-                radii_[i] = std::min(radii_[i], support_.stops[i]);
-        }
+        for (std::size_t i = 0; i < radii_.size(); ++i)
+            radii_[i] = std::min(radii_[i], support_.stops[i]);
         nodes_.resize(radii_.size());
         for (int node = 0; node < braid_.lattice.num_nodes(); ++node)
             nodes_[index(node)] = on_ray(braid_, node, radii_[index(node)]);
@@ -88,9 +85,9 @@ public:
     }
 
 private:
-    double beyond_stop(std::size_t node) const
+    double beyond_wall(std::size_t node) const
     {
-        return std::max(0.0, radii_[node] - support_.stops[node]);
+        return support_.wall_displacement(node, radii_[node]);
     }
 
     void update_energy_and_forces()
@@ -104,8 +101,8 @@ private:
         for (std::size_t i = 0; i < radii_.size(); ++i) {
             spring_forces_[i] = braid_.rays[i].dot(vectors_[i]);
             forces_[i] += spring_forces_[i];
-            if (is_rigid()) continue;
-            const double beyond = beyond_stop(i);
+            if (!support_.is_compliant()) continue;
+            const double beyond = beyond_wall(i);
             forces_[i] -= support_.stiffness[i] * beyond;
             energy_ += 0.5 * support_.stiffness[i] * beyond * beyond;
         }
@@ -115,8 +112,7 @@ private:
     double own_stiffness(int node, const RadialSpring& spring, double area_share) const
     {
         double stiffness = area_share * radial_stiffness_at(spring, radii_[index(node)]);
-        if (!is_rigid() && beyond_stop(index(node)) > 0.0)
-            stiffness += support_.stiffness[index(node)];
+        if (beyond_wall(index(node)) > 0.0) stiffness += support_.stiffness[index(node)];
         return stiffness;
     }
 

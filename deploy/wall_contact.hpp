@@ -3,6 +3,8 @@
 #include "core/wall_tree.hpp"
 #include "deploy/crimped_braid.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace braidzone {
@@ -22,9 +24,21 @@ std::vector<double> wall_stops(const CrimpedBraid& braid, const WallTree& wall, 
 
 /// What holds the nodes from outside.
 struct WallSupport {
-    std::vector<double> stops;  ///< |N| see `wall_stops` [m]
-    /// |N| force over displacement beyond the stop along the ray; empty for a rigid wall.
+    /// |N| where nodes are held: by a rigid wall (`wall_stops`) or, before it, by jammed wires
+    /// (`jam_stops`); by those alone if the wall is compliant [m].
+    std::vector<double> stops;
+    /// |N| force over displacement beyond the wall along the ray; empty for a rigid wall.
     std::vector<double> stiffness = {};
+    /// |N| where a compliant wall begins to push back [m]; empty for a rigid one.
+    std::vector<double> wall = {};
+
+    bool is_compliant() const { return !stiffness.empty(); }
+
+    /// How far a node at some radius has pushed a compliant wall outwards [m].
+    double wall_displacement(std::size_t node, double radius) const
+    {
+        return is_compliant() ? std::max(0.0, radius - wall[node]) : 0.0;
+    }
 };
 
 /// Stiffness of a compliant wall for each node [N/m]: `stiffness` [Pa/m] times the area of the

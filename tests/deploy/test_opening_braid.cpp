@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -219,8 +220,11 @@ TEST(OpeningBraid, PushesACompliantWallOutUntilItBalances)
 {
     const CrimpedBraid crimped = crimped_on_axis(4e-3);
     const double stop = 1.8e-3, stiffness = 0.2;
-    const WallSupport support{std::vector<double>(crimped.rays.size(), stop),
-                              std::vector<double>(crimped.rays.size(), stiffness)};
+    const std::size_t num_nodes = crimped.rays.size();
+    const WallSupport support{
+        .stops = std::vector<double>(num_nodes, std::numeric_limits<double>::infinity()),
+        .stiffness = std::vector<double>(num_nodes, stiffness),
+        .wall = std::vector<double>(num_nodes, stop)};
     OpeningBraid braid = released(crimped, support, {});
     for (int i = 0; i < 8000; ++i)
         braid.step();
@@ -243,6 +247,24 @@ TEST(OpeningBraid, PushesACompliantWallOutUntilItBalances)
     const int node = lattice.node(lattice.num_rings / 2, 5);
     EXPECT_GT(low, 10e-6);
     EXPECT_NEAR(displacement[static_cast<std::size_t>(node)], low, 1e-4 * low);
+}
+
+// Jammed wires stop the nodes at 1.8 mm, 0.05 mm beyond a wall too soft to stop them: with
+// K = 1e-3 N/m it takes 5e-8 N, a thousandth of the springs' force.
+TEST(OpeningBraid, IsStoppedByItsWiresBeyondASoftWall)
+{
+    const CrimpedBraid crimped = crimped_on_axis(4e-3);
+    const std::size_t num_nodes = crimped.rays.size();
+    const WallSupport support{.stops = std::vector<double>(num_nodes, 1.8e-3),
+                              .stiffness = std::vector<double>(num_nodes, 1e-3),
+                              .wall = std::vector<double>(num_nodes, 1.75e-3)};
+    OpeningBraid braid = released(crimped, support, {});
+    for (int i = 0; i < 8000; ++i)
+        braid.step();
+    for (const double radius : braid.radii())
+        EXPECT_EQ(radius, 1.8e-3);
+    for (const double displacement : braid.wall_displacements())
+        EXPECT_NEAR(displacement, 0.05e-3, 1e-15);
 }
 
 }  // namespace braidzone

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace braidzone {
@@ -120,7 +121,8 @@ TEST(RestingShape, BalancesACompliantWall)
 {
     StraightBraid braid;
     braid.coefficients.surface = 0.0;
-    WallSupport support = braid.stops_at(1.7e-3);
+    WallSupport support = braid.stops_at(std::numeric_limits<double>::infinity());
+    support.wall.assign(support.stops.size(), 1.7e-3);
     const double c = braid.coefficients.radial.bending;
     for (int ring = 0; ring < braid.crimped.lattice.num_rings; ++ring) {
         for (int column = 0; column < braid.crimped.lattice.nodes_per_ring; ++column)
@@ -130,6 +132,14 @@ TEST(RestingShape, BalancesACompliantWall)
     EXPECT_TRUE(rest.is_at_rest);
     for (const double radius : rest.radii)
         EXPECT_NEAR(radius, 1.8e-3, 1e-9);
+
+    // Jammed wires stop it before the wall does.
+    support.stops.assign(support.stops.size(), 1.75e-3);
+    const RestingShape jammed =
+        find_resting_shape(braid.crimped, braid.coefficients, support, 1e-13);
+    EXPECT_TRUE(jammed.is_at_rest);
+    for (const double radius : jammed.radii)
+        EXPECT_EQ(radius, 1.75e-3);
 }
 
 // The motion of the paper ends in the same shape.

@@ -34,6 +34,18 @@ TEST_P(DeployInBend, NeitherJamsNorTurnsARhombusOver)
     }
 }
 
+// A wall that gives way does not let the wires come nearer than they can. 1e7 Pa/m: 40 um for the
+// 400 Pa that a device presses with here.
+TEST_P(DeployInBend, NeitherJamsBehindAWallThatGivesWay)
+{
+    const BendOutcome outcome =
+        outcome_of({.bend_ratio = GetParam(), .device_ratio = 1.16, .wall_stiffness = 1e7});
+    EXPECT_EQ(outcome.refused, "");
+    EXPECT_TRUE(outcome.converged);
+    EXPECT_EQ(outcome.inverted, 0);
+    EXPECT_EQ(outcome.jammed, 0);
+}
+
 TEST_P(DeployInBend, KeepsTheWiresLengthAtForceFreeSpacing)
 {
     const BendOutcome outcome = outcome_of({.bend_ratio = GetParam(),

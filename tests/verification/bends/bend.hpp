@@ -13,6 +13,7 @@
 #include <cmath>
 #include <ctime>
 #include <exception>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -29,6 +30,7 @@ struct Bend {
     bool force_free = false;
     bool axially_free = false;  ///< the network of wires, else rings locked in their planes
     double friction = infinite_friction;
+    double wall_stiffness = std::numeric_limits<double>::infinity();  ///< [Pa/m]
 };
 
 /// What became of the device.
@@ -114,6 +116,7 @@ inline BendOutcome outcome_of(const Bend& bend)
         DeployOptions options;
         if (bend.axially_free) options.axial = AxialMotion::free;
         options.friction = bend.friction;
+        options.wall_stiffness = bend.wall_stiffness;
         ReleaseSchedule schedule;
         schedule.sliding = bend.force_free ? 1.0 : 0.0;
         const Deployment deployment = deploy(device, centerline, wall, landing, schedule, options);
