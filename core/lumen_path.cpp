@@ -103,9 +103,9 @@ private:
     void examine(const Vec3& position, GridPoint& point) const
     {
         const WallPoint foot = wall_.nearly_nearest(position, distance_error);
+        point.wall_distance = foot.distance;
         point.in_lumen = foot.distance >= least_radius_ && wall_.contains(position);
         if (!point.in_lumen) return;
-        point.wall_distance = foot.distance;
         const double depth = depth_of_lumen(position, foot, wall_);
         constexpr double steps_per_depth = 2.5;
         constexpr int largest_step = 1 << 12;
@@ -152,7 +152,8 @@ private:
 
     double cost_per_length(const GridPoint& point) const
     {
-        const double width = std::min(point.wall_distance, cap_);
+        // An end of the path may lie nearer to the wall than any passage does.
+        const double width = std::min(std::max(point.wall_distance, 0.25 * spacing_), cap_);
         return 1.0 / (width * width);
     }
 
