@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/lumen_path.hpp"
+#include "core/medial_path.hpp"
 #include "core/path_centring.hpp"
 #include "core/place_text.hpp"
 
@@ -70,7 +71,7 @@ Polyline compute_centerline(const Vessel& vessel, const WallTree& wall, const Ve
     }
     path.front() = from;
     path.back() = to;
-    return with_inscribed_radii(centred_path(path, wall), wall);
+    return with_inscribed_radii(medial_path(centred_path(path, wall), wall), wall);
 }
 
 Polyline with_inscribed_radii(const Polyline& polyline, const WallTree& wall)

@@ -7,16 +7,19 @@
 namespace braidzone {
 
 struct CenterlineOptions {
-    double points_per_radius = 6.0;  ///< fineness of the search grid: smallest opening's radius / h
+    double points_per_radius = 6.0;  ///< fineness of the search grid: smallest opening's radius /
+                                     ///< h; see `least_cost_path`
 };
 
 /// The centerline of a vessel between two points.
 ///
-/// The path of least cost through the lumen, where the cost of a step is its length over a power
-/// of the distance to the wall (Antiga, Ene-Iordache and Remuzzi 2003, doi
-/// 10.1109/TMI.2003.812261, search the Voronoi diagram; here the functional is minimised on a grid,
-/// see `least_cost_path`), then moved to the middle of the parent vessel's cross-sections
-/// (`centred_path`). Neither follows the lumen into a sac. The radius is the distance to the wall.
+/// Along the line the integral of ds / R is least, R the radius of the inscribed sphere (Antiga,
+/// Ene-Iordache and Remuzzi 2003, doi 10.1109/TMI.2003.812261, VMTK's definition), except where a
+/// sac or a branch opens, whose larger spheres do not draw the line in. Found in three steps: the
+/// way through the lumen on a grid (`least_cost_path`), the middle of the parent vessel's
+/// cross-sections along it (`centred_path`), and the least integral beside that (`medial_path`). On
+/// real carotids and siphons the length is within 0.5 % of that of VMTK's lines, both smoothed by
+/// `resample`. The radius is the distance to the wall.
 ///
 /// @param from, to  in the lumen or on an opening [m]; they are the path's ends
 /// @throws GeometryError if a point lies outside the lumen or no path joins them

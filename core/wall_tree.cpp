@@ -6,6 +6,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -244,6 +245,7 @@ struct NearestWalk {
 
     const TriangleTree& tree;
     const Vec3& point;
+    double squared_share = 1.0;  ///< of the distance found, within which a nearer one is looked for
     int triangle = -1;
     Vec3 nearest = Vec3::Zero();
     double squared_distance = std::numeric_limits<double>::infinity();
@@ -251,12 +253,13 @@ struct NearestWalk {
     bool go_further() const { return true; }
     bool do_intersect(int, const Node& node) const
     {
-        return squared_distance_between(point, node.bbox()) <= squared_distance;
+        return squared_distance_between(point, node.bbox()) <= squared_share * squared_distance;
     }
     std::pair<bool, Priority> do_intersect_with_priority(int, const Node& node) const
     {
         const double box_distance = squared_distance_between(point, node.bbox());
-        return {box_distance <= squared_distance, -box_distance};  // the larger goes first
+        // The larger goes first.
+        return {box_distance <= squared_share * squared_distance, -box_distance};
     }
     void intersection(int, const Primitive& primitive)
     {
@@ -388,7 +391,17 @@ std::optional<WallHit> WallTree::first_hit(const Vec3& from, const Vec3& to) con
 
 WallPoint WallTree::nearest(const Vec3& point) const
 {
-    NearestWalk walk{impl_->wall, point};
+    return nearly_nearest(point, 0.0);
+}
+
+WallPoint WallTree::nearly_nearest(const Vec3& point, double relative_error) const
+{
+    if (!(relative_error >= 0.0 && relative_error < 1.0)) {
+        throw InputError(
+            fmt::format("the relative error of a distance is {:.6g}; allowed are 0 to less than 1",
+                        relative_error));
+    }
+    NearestWalk walk{impl_->wall, point, (1.0 - relative_error) * (1.0 - relative_error)};
     impl_->wall.walk_nearest_first(walk);
     return {walk.triangle, walk.nearest, impl_->normal(walk.triangle),
             std::sqrt(walk.squared_distance)};

@@ -46,6 +46,13 @@ public:
     /// Nearest point of the wall (the openings' caps do not count).
     WallPoint nearest(const Vec3& point) const;
 
+    /// A point of the wall that is hardly farther than the nearest one: the nearest has at least
+    /// (1 - relative_error) of its distance. Near the axis of a tube, where all of the wall is
+    /// nearly as near, this costs far less.
+    /// @param relative_error  0 (`nearest` itself) to less than 1
+    /// @throws InputError if it is not
+    WallPoint nearly_nearest(const Vec3& point, double relative_error) const;
+
     /// True if the wall comes nearer to a point than a distance [m]. In the middle of a tube, where
     /// all of the wall is as near as the nearest point, this costs far less than to find that.
     bool comes_nearer(const Vec3& point, double distance) const;

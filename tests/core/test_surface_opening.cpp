@@ -245,12 +245,12 @@ TEST(OpenRoundedEnds, RefusesTwoPointsAtOnePlace)
                             "0.5 mm apart, less than its mean radius of 1.8"));
 }
 
-// A waist of 0.03 mm radius lies between the points of a grid of a sixth of the mean radius.
+// A waist of 0.001 mm radius lies between the ways of a grid of a sixth of the mean radius.
 TEST(OpenRoundedEnds, RefusesEndsThatNoPathJoins)
 {
     TriangleMesh mesh = test::capsule(1e-3, 10e-3, 48, 80);
     for (Vec3& p : mesh.points)
-        p.head<2>() *= 1.0 - 0.97 * std::exp(-std::pow((p.z() - 5e-3) / 0.3e-3, 2));
+        p.head<2>() *= 1.0 - 0.999 * std::exp(-std::pow((p.z() - 5e-3) / 0.3e-3, 2));
     EXPECT_THAT(message_of(mesh, {Vec3(0.07e-3, 0.06e-3, 1e-3), Vec3(0, 0, 9e-3)}),
                 testing::StartsWith("no path through the lumen joins (0.07, 0.06, 1) mm and "
                                     "(0, 0, 9) mm on a grid of 0.1"));

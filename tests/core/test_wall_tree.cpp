@@ -229,6 +229,30 @@ TEST(Nearest, AgreesWithALoopOverAllTriangles)
     }
 }
 
+TEST(NearlyNearest, IsOnTheWallAndFartherByTheErrorAtMost)
+{
+    const WallTree wall(test::tube_vessel(radius, length, around, along));
+    RandomPoints random;
+    for (int k = 0; k < 500; ++k) {
+        const Vec3 point = random.near_tube();
+        const double least = wall.nearest(point).distance;
+        for (const double error : {0.0, 0.05, 0.5}) {
+            const WallPoint found = wall.nearly_nearest(point, error);
+            EXPECT_GE(found.distance, least);
+            EXPECT_LE((1.0 - error) * found.distance, least * (1.0 + 1e-12));
+            EXPECT_NEAR((found.point - point).norm(), found.distance, 1e-15 * radius);
+            EXPECT_LT(wall.nearest(found.point).distance, 1e-12 * radius);
+        }
+    }
+}
+
+TEST(NearlyNearest, RefusesErrorsOutOfRange)
+{
+    const WallTree wall(test::tube_vessel(radius, length, around, along));
+    for (const double error : {-0.1, 1.0, std::nan("")})
+        EXPECT_THROW(wall.nearly_nearest(Vec3::Zero(), error), InputError) << error;
+}
+
 TEST(ComesNearer, AgreesWithTheNearestPoint)
 {
     const WallTree wall(test::tube_vessel(radius, 5.0 * radius, 24, 12));
