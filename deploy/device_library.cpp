@@ -169,16 +169,18 @@ void set_from_library(FlowDiverter& device, const DeviceParameter& parameter,
                                 device.name, parameter.key, show(parameter, value), doubt));
 }
 
-/// Why a value that the library gives may be none that a braid can have.
+/// Why a value that the library gives may be none that a braid can have, and what to do.
 std::string origin_in_library(const DeviceFile& file, const std::string& key, double diameter)
 {
     const auto known = file.parameters.find(key);
     if (known == file.parameters.end() || is_stated_at(known->second, diameter))
         return " (from the library for this size; give it in [device])";
-    return fmt::format(
-        ", as it would follow from other sizes for {:.6g} mm: give it in [device], or, if it is a "
-        "spring's, state forces = \"wire-theory\"",
-        1e3 * diameter);
+    const auto& all = device_parameters();
+    const bool is_of_a_spring = std::any_of(all.begin(), all.end(), [&](const auto& parameter) {
+        return parameter.key == key && parameter.use == ParameterUse::springs;
+    });
+    return fmt::format(" (as it follows from other sizes for {:.6g} mm; give it in [device]{})",
+                       1e3 * diameter, is_of_a_spring ? " or state forces = \"wire-theory\"" : "");
 }
 
 }  // namespace

@@ -270,11 +270,11 @@ TEST_F(DeviceLibrary, NamesThePlaceOfAValueThatIsNoBraid)
 // On the line through 0.6 N/m at 4 mm and 0.4 N/m at 5 mm: -0.2 N/m at 8 mm.
 TEST_F(DeviceLibrary, SaysThatAnImpossibleValueIsNotTheUsers)
 {
-    EXPECT_EQ(
-        message("name = \"pipeline-flex\"\ndiameter = \"8 mm\"\nlength = \"20 mm\"\n"
-                "any_size = true\n"),
-        "case.toml:1: device.surface_coefficient = -0.2 N/m is not positive (from the library "
-        "for this size; give it in [device])");
+    EXPECT_EQ(message("name = \"pipeline-flex\"\ndiameter = \"8 mm\"\nlength = \"20 mm\"\n"
+                      "any_size = true\n"),
+              "case.toml:1: device.surface_coefficient = -0.2 N/m is not positive (as it follows "
+              "from other "
+              "sizes for 8 mm; give it in [device] or state forces = \"wire-theory\")");
 }
 
 TEST_F(DeviceLibrary, StatesSourceAndConfidenceOfEveryValue)
